@@ -9,7 +9,7 @@
 #include "contact/problem/row_of.h"
 #include "core/base/error.h"
 
-namespace nilas {
+namespace nilas::contact {
 
 namespace {
 
@@ -19,7 +19,7 @@ constexpr int k_free_size = 6;
 
 class Assembly {
  public:
-  Assembly(const Bodies& bodies, const Wrenches& free, const AssemblySettings& settings,
+  Assembly(const bodies::Bodies& bodies, const bodies::Wrenches& free, const AssemblySettings& settings,
            const std::vector<ArticulatedBlock>& articulated)
       : bodies_(bodies), free_(free), settings_(settings), articulated_(articulated) {
     NILAS_DEMAND(settings.h > 0);
@@ -30,7 +30,7 @@ class Assembly {
     out_.problem.facets = settings.facets;
   }
 
-  AssembledContacts build(const std::vector<ContactPoint>& points, const FrictionPairs& friction) {
+  AssembledContacts build(const std::vector<detect::ContactPoint>& points, const FrictionPairs& friction) {
     add_blocks(points);
     reserve_contacts(points.size());
     for (const auto& point : points) add_contact(point, friction);
@@ -48,25 +48,25 @@ class Assembly {
     return {nullptr, nullptr};
   }
 
-  void add_blocks(const std::vector<ContactPoint>& points);
+  void add_blocks(const std::vector<detect::ContactPoint>& points);
   int place_block(int size);
   void fill_free_block(int body);
   void fill_articulated_block(const ArticulatedBlock& articulated, std::size_t block);
   void reserve_contacts(std::size_t count);
-  const FrictionPair& friction_of(const ContactPoint& point, const FrictionPairs& friction) const;
-  void add_contact(const ContactPoint& point, const FrictionPairs& friction);
-  void add_moment(int c, const ContactPoint& point, const FrictionPairs& friction);
+  const FrictionPair& friction_of(const detect::ContactPoint& point, const FrictionPairs& friction) const;
+  void add_contact(const detect::ContactPoint& point, const FrictionPairs& friction);
+  void add_moment(int c, const detect::ContactPoint& point, const FrictionPairs& friction);
   MatX moment_rows(int body, const Mat3& C, double sign, Vec3& w) const;
   Vec3 add_side(int body, const Mat3& C, const Vec3& p, double sign);
-  bool are_joined(const ContactPoint& point) const;
+  bool are_joined(const detect::ContactPoint& point) const;
   TwistRows twist_rows(int body, const Mat3& C, const Vec3& p, double sign) const;
-  Vec3 add_joined_sides(const ContactPoint& point, const Mat3& C);
+  Vec3 add_joined_sides(const detect::ContactPoint& point, const Mat3& C);
   Vec3 point_velocity(int body, const Vec3& p) const;
-  std::optional<double> bounce(const ContactPoint& point, double restitution) const;
-  double speed_asked(const ContactPoint& point) const;
+  std::optional<double> bounce(const detect::ContactPoint& point, double restitution) const;
+  double speed_asked(const detect::ContactPoint& point) const;
 
-  const Bodies& bodies_;
-  const Wrenches& free_;
+  const bodies::Bodies& bodies_;
+  const bodies::Wrenches& free_;
   const AssemblySettings& settings_;
   const std::vector<ArticulatedBlock>& articulated_;
   AssembledContacts out_;
@@ -80,7 +80,7 @@ int Assembly::place_block(int size) {
   return problem.num_blocks() - 1;
 }
 
-void Assembly::add_blocks(const std::vector<ContactPoint>& points) {
+void Assembly::add_blocks(const std::vector<detect::ContactPoint>& points) {
   std::vector<char> touched(bodies_.id.size(), 0);
   for (const auto& point : points)
     for (const int body : {point.a, point.b}) {
@@ -91,7 +91,7 @@ void Assembly::add_blocks(const std::vector<ContactPoint>& points) {
   std::vector<const ArticulatedBlock*> moved;
   for (int body = 0; body < bodies_.size(); ++body) {
     const auto i = static_cast<std::size_t>(body);
-    if (touched[i] == 0 || bodies_.motion[i] == Motion::fixed) continue;
+    if (touched[i] == 0 || bodies_.motion[i] == bodies::Motion::fixed) continue;
     if (bodies_.is_free(body)) {
       free_bodies.push_back(body);
       continue;
@@ -105,7 +105,7 @@ void Assembly::add_blocks(const std::vector<ContactPoint>& points) {
   for (const auto* block : moved) {
     const int place = place_block(static_cast<int>(block->f.size()));
     for (const auto& one : block->bodies)
-      if (bodies_.motion[one.body] != Motion::fixed) out_.block_of_body[one.body] = place;
+      if (bodies_.motion[one.body] != bodies::Motion::fixed) out_.block_of_body[one.body] = place;
   }
 
   out_.problem.mass_data.assign(out_.problem.mass_offset.back(), 0.0);
@@ -161,7 +161,7 @@ TwistRows Assembly::twist_rows(int body, const Mat3& C, const Vec3& p, double si
 
 /// Appends the rows of one side of a contact at p. Returns what the body's prescribed motion adds to u.
 Vec3 Assembly::add_side(int body, const Mat3& C, const Vec3& p, double sign) {
-  if (bodies_.motion[body] == Motion::fixed) return Vec3::Zero();
+  if (bodies_.motion[body] == bodies::Motion::fixed) return Vec3::Zero();
   const TwistRows rows = twist_rows(body, C, p, sign);
   std::vector<double>& data = out_.problem.jacobian_data;
   if (bodies_.is_free(body)) {
@@ -177,13 +177,13 @@ Vec3 Assembly::add_side(int body, const Mat3& C, const Vec3& p, double sign) {
 }
 
 /// Whether both bodies have the same block.
-bool Assembly::are_joined(const ContactPoint& point) const {
+bool Assembly::are_joined(const detect::ContactPoint& point) const {
   const int a = out_.block_of_body[point.a];
   return a >= 0 && a == out_.block_of_body[point.b];
 }
 
 /// Appends the rows of a contact between two bodies of one system. Returns what their prescribed motion adds to u.
-Vec3 Assembly::add_joined_sides(const ContactPoint& point, const Mat3& C) {
+Vec3 Assembly::add_joined_sides(const detect::ContactPoint& point, const Mat3& C) {
   const ArticulatedBody &a = *articulated(point.a).second, &b = *articulated(point.b).second;
   const TwistRows on_a = twist_rows(point.a, C, point.p, -1), on_b = twist_rows(point.b, C, point.p, 1);
   const ContactProblem::RowMajor reduced = on_a * a.jacobian + on_b * b.jacobian;
@@ -194,11 +194,11 @@ Vec3 Assembly::add_joined_sides(const ContactPoint& point, const Mat3& C) {
 
 Vec3 Assembly::point_velocity(int body, const Vec3& p) const {
   const auto i = static_cast<std::size_t>(body);
-  if (bodies_.motion[i] == Motion::fixed) return Vec3::Zero();
+  if (bodies_.motion[i] == bodies::Motion::fixed) return Vec3::Zero();
   return bodies_.v_GB[i] + bodies_.w_GB[i].cross(p - bodies_.p_GB[i]);
 }
 
-std::optional<double> Assembly::bounce(const ContactPoint& point, double restitution) const {
+std::optional<double> Assembly::bounce(const detect::ContactPoint& point, double restitution) const {
   if (!(restitution > 0) || point.crushes()) return std::nullopt;
   const double before = point.n.dot(point_velocity(point.b, point.p) - point_velocity(point.a, point.p));
   const bool closes = point.gap <= 0 || before * settings_.h < -point.gap;
@@ -206,17 +206,17 @@ std::optional<double> Assembly::bounce(const ContactPoint& point, double restitu
   return restitution * before;
 }
 
-double Assembly::speed_asked(const ContactPoint& point) const {
+double Assembly::speed_asked(const detect::ContactPoint& point) const {
   const VelocityStabilisation& stabilisation = settings_.stabilisation;
   const double excess = -point.gap - stabilisation.slop;
   return excess > 0 ? std::min(stabilisation.erp * excess / settings_.h, stabilisation.max_speed) : 0;
 }
 
-const FrictionPair& Assembly::friction_of(const ContactPoint& point, const FrictionPairs& friction) const {
+const FrictionPair& Assembly::friction_of(const detect::ContactPoint& point, const FrictionPairs& friction) const {
   return friction.of(bodies_.material[point.a], bodies_.material[point.b]);
 }
 
-void Assembly::add_contact(const ContactPoint& point, const FrictionPairs& friction) {
+void Assembly::add_contact(const detect::ContactPoint& point, const FrictionPairs& friction) {
   const auto a = static_cast<std::size_t>(point.a), b = static_cast<std::size_t>(point.b);
   ContactProblem& problem = out_.problem;
   const Mat3 C = contact_frame(point.n, bodies_.R_GB[a], settings_.axes);
@@ -247,7 +247,7 @@ void Assembly::add_contact(const ContactPoint& point, const FrictionPairs& frict
 /// The rows of u = C^T w for one side, with n columns. Adds the contribution of its prescribed motion to `w`.
 MatX Assembly::moment_rows(int body, const Mat3& C, double sign, Vec3& w) const {
   const auto i = static_cast<std::size_t>(body);
-  if (bodies_.motion[i] == Motion::fixed) return MatX(3, 0);
+  if (bodies_.motion[i] == bodies::Motion::fixed) return MatX(3, 0);
   TwistRows rows = TwistRows::Zero();
   rows.rightCols<3>() = sign * C.transpose();
   if (bodies_.is_free(body)) return rows;
@@ -256,7 +256,7 @@ MatX Assembly::moment_rows(int body, const Mat3& C, double sign, Vec3& w) const 
   return rows * one.jacobian;
 }
 
-void Assembly::add_moment(int c, const ContactPoint& point, const FrictionPairs& friction) {
+void Assembly::add_moment(int c, const detect::ContactPoint& point, const FrictionPairs& friction) {
   const FrictionPair& pair = friction_of(point, friction);
   if (pair.rolling == 0 && pair.spinning == 0) return;
   const Mat3 C = out_.C[c] * Vec3(pair.spinning, pair.rolling, pair.rolling).asDiagonal();
@@ -267,17 +267,17 @@ void Assembly::add_moment(int c, const ContactPoint& point, const FrictionPairs&
     rows_a = MatX(3, 0);
   }
   constexpr std::uint64_t k_moment = 0x6d6f6d656e74;  // keeps the key of a moment distinct from the keys of features
-  out_.problem.add_moment(c, rows_a, rows_b, pair.rolling, mix(point.key, k_moment));
+  out_.problem.add_moment(c, rows_a, rows_b, pair.rolling, detect::mix(point.key, k_moment));
   out_.problem.w.tail<3>() = w;
   out_.C.push_back(C);
 }
 
 }  // namespace
 
-AssembledContacts assemble(const Bodies& bodies, const Wrenches& free, const std::vector<ContactPoint>& points,
-                           const FrictionPairs& friction, const AssemblySettings& settings,
-                           const std::vector<ArticulatedBlock>& articulated) {
+AssembledContacts assemble(const bodies::Bodies& bodies, const bodies::Wrenches& free,
+                           const std::vector<detect::ContactPoint>& points, const FrictionPairs& friction,
+                           const AssemblySettings& settings, const std::vector<ArticulatedBlock>& articulated) {
   return Assembly(bodies, free, settings, articulated).build(points, friction);
 }
 
-}  // namespace nilas
+}  // namespace nilas::contact

@@ -8,7 +8,7 @@
 #include "core/bodies/bodies.h"
 #include "core/bodies/module.h"
 
-namespace nilas {
+namespace nilas::contact {
 
 /// A body whose motion belongs to an articulated system. The twist (v; w) of its centre of mass in G is jacobian *
 /// speeds + prescribed.
@@ -71,8 +71,8 @@ struct AssembledContacts {
 /// with friction. A point between two bodies of one articulated system has that block on its side B alone, with the
 /// difference of both Jacobians. `friction` resolves the materials of `bodies`.
 /// Throws ContractError for an articulated body without its block and for a point that names no body.
-AssembledContacts assemble(const Bodies& bodies, const Wrenches& free, const std::vector<ContactPoint>& points,
-                           const FrictionPairs& friction, const AssemblySettings& settings,
-                           const std::vector<ArticulatedBlock>& articulated);
+AssembledContacts assemble(const bodies::Bodies& bodies, const bodies::Wrenches& free,
+                           const std::vector<detect::ContactPoint>& points, const FrictionPairs& friction,
+                           const AssemblySettings& settings, const std::vector<ArticulatedBlock>& articulated);
 
-}  // namespace nilas
+}  // namespace nilas::contact

@@ -9,12 +9,12 @@
 #include "contact/solvers/newton_order_free.h"
 #include "core/base/error.h"
 
-namespace nilas {
+namespace nilas::contact {
 
 namespace {
 
 /// The step's contact graph without immovable bodies and without points that crush, where bodies may overlap.
-ContactProblem movable_graph(const AssembledContacts& contacts, const std::vector<ContactPoint>& points) {
+ContactProblem movable_graph(const AssembledContacts& contacts, const std::vector<detect::ContactPoint>& points) {
   ContactProblem graph;
   graph.block_offset = contacts.problem.block_offset;
   graph.pairs = contacts.problem.pairs;
@@ -29,9 +29,9 @@ ContactProblem movable_graph(const AssembledContacts& contacts, const std::vecto
 }
 
 /// The groups that have a movable body and a depth above `smallest` [m].
-std::vector<std::vector<int>> groups_to_correct(const ContactProblem& graph, const std::vector<ContactPoint>& points,
-                                                double smallest) {
-  const auto is_deep = [&](const ContactPoint& c) { return -c.gap > smallest; };
+std::vector<std::vector<int>> groups_to_correct(const ContactProblem& graph,
+                                                const std::vector<detect::ContactPoint>& points, double smallest) {
+  const auto is_deep = [&](const detect::ContactPoint& c) { return -c.gap > smallest; };
   if (std::none_of(points.begin(), points.end(), is_deep)) return {};
   auto groups = find_islands(graph);
   std::erase_if(groups, [&](const std::vector<int>& group) {
@@ -42,7 +42,7 @@ std::vector<std::vector<int>> groups_to_correct(const ContactProblem& graph, con
   return groups;
 }
 
-double least_speed(const ContactPoint& point, const CorrectionSettings& settings) {
+double least_speed(const detect::ContactPoint& point, const CorrectionSettings& settings) {
   const double depth = -point.gap;
   if (depth < 0) return depth / settings.h;
   if (depth <= settings.slop) return 0;
@@ -123,8 +123,8 @@ class GroupCorrection {
 /// The normal rows of the groups as a problem of their own: M v = H r and 0 <= u_N - least, perpendicular to r_N >= 0.
 /// It covers the free bodies of the step's problem, whose blocks come first.
 ContactProblem correction_problem(const AssembledContacts& contacts, const ContactProblem& graph,
-                                  const std::vector<std::vector<int>>& groups, const std::vector<ContactPoint>& points,
-                                  const CorrectionSettings& settings) {
+                                  const std::vector<std::vector<int>>& groups,
+                                  const std::vector<detect::ContactPoint>& points, const CorrectionSettings& settings) {
   const ContactProblem& step = contacts.problem;
   ContactProblem own;
   own.h = step.h;
@@ -144,12 +144,13 @@ ContactProblem correction_problem(const AssembledContacts& contacts, const Conta
 
 PositionCorrection order_free_correction(const AssembledContacts& contacts, const ContactProblem& graph,
                                          const std::vector<std::vector<int>>& groups,
-                                         const std::vector<ContactPoint>& points, const CorrectionSettings& settings) {
+                                         const std::vector<detect::ContactPoint>& points,
+                                         const CorrectionSettings& settings) {
   const ContactProblem own = correction_problem(contacts, graph, groups, points, settings);
   SolverSettings shared;
   shared.tolerance = settings.tolerance;
   shared.max_iterations = settings.max_sweeps;
-  const ContactSolution solution = OrderFreeNewtonSolver(shared).solve(own, {});
+  const ContactSolution solution = solvers::OrderFreeNewtonSolver(shared).solve(own, {});
   PositionCorrection out;
   out.v = VecX::Zero(contacts.problem.num_velocities());
   out.v.head(own.num_velocities()) = solution.v;
@@ -161,7 +162,8 @@ PositionCorrection order_free_correction(const AssembledContacts& contacts, cons
 
 }  // namespace
 
-PositionCorrection position_correction(const AssembledContacts& contacts, const std::vector<ContactPoint>& points,
+PositionCorrection position_correction(const AssembledContacts& contacts,
+                                       const std::vector<detect::ContactPoint>& points,
                                        const CorrectionSettings& settings) {
   const ContactProblem& step = contacts.problem;
   NILAS_DEMAND(settings.h > 0 && points.size() == static_cast<std::size_t>(step.num_points()));
@@ -205,7 +207,8 @@ PositionCorrection position_correction(const AssembledContacts& contacts, const 
   return out;
 }
 
-PositionCorrection correction_velocities(const AssembledContacts& contacts, const std::vector<ContactPoint>& points,
+PositionCorrection correction_velocities(const AssembledContacts& contacts,
+                                         const std::vector<detect::ContactPoint>& points,
                                          const CorrectionSettings& settings, std::vector<Vec3>& v,
                                          std::vector<Vec3>& w) {
   NILAS_DEMAND(v.size() == contacts.block_of_body.size() && w.size() == contacts.block_of_body.size());
@@ -220,4 +223,4 @@ PositionCorrection correction_velocities(const AssembledContacts& contacts, cons
   return out;
 }
 
-}  // namespace nilas
+}  // namespace nilas::contact

@@ -7,7 +7,7 @@
 #include "contact/detect/broad/contact_point.h"
 #include "core/base/math.h"
 
-namespace nilas {
+namespace nilas::contact {
 
 struct CorrectionSettings {
   double h = 0;             ///< step [s]
@@ -35,13 +35,15 @@ struct PositionCorrection {
 /// normal rows in mass-scaled velocities (solvers/shared/pgs_rows.h), or a frictionless ContactProblem. Bodies form
 /// groups that are joined by contact points, but not through immovable bodies. Points that crush take no part. Groups
 /// without a depth above slop + tolerance h/erp are left out. `points` are those from which `contacts` was assembled.
-PositionCorrection position_correction(const AssembledContacts& contacts, const std::vector<ContactPoint>& points,
+PositionCorrection position_correction(const AssembledContacts& contacts,
+                                       const std::vector<detect::ContactPoint>& points,
                                        const CorrectionSettings& settings);
 
 /// The position correction, written per body: v and w of the free bodies' centres of mass in G. Entries of other bodies
 /// stay unchanged.
-PositionCorrection correction_velocities(const AssembledContacts& contacts, const std::vector<ContactPoint>& points,
+PositionCorrection correction_velocities(const AssembledContacts& contacts,
+                                         const std::vector<detect::ContactPoint>& points,
                                          const CorrectionSettings& settings, std::vector<Vec3>& v,
                                          std::vector<Vec3>& w);
 
-}  // namespace nilas
+}  // namespace nilas::contact

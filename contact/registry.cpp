@@ -18,55 +18,55 @@
 #endif
 #include "core/base/error.h"
 
-namespace nilas {
+namespace nilas::contact {
 
 template <class Solver, class Settings>
-static std::unique_ptr<ContactSolver> make(const SolverSettings& shared) {
+static std::unique_ptr<solvers::ContactSolver> make(const SolverSettings& shared) {
   Settings settings;
   settings.shared = shared;
   return std::make_unique<Solver>(settings);
 }
 
-static std::unique_ptr<ContactSolver> make_order_free(const SolverSettings& shared) {
-  return std::make_unique<EgSolver>(EgSettings{.shared = shared, .order_free = true});
+static std::unique_ptr<solvers::ContactSolver> make_order_free(const SolverSettings& shared) {
+  return std::make_unique<solvers::EgSolver>(solvers::EgSettings{.shared = shared, .order_free = true});
 }
 
-static std::unique_ptr<ContactSolver> make_order_free_newton(const SolverSettings& shared) {
-  return std::make_unique<OrderFreeNewtonSolver>(shared);
+static std::unique_ptr<solvers::ContactSolver> make_order_free_newton(const SolverSettings& shared) {
+  return std::make_unique<solvers::OrderFreeNewtonSolver>(shared);
 }
 
 #ifdef NILAS_PEER_SOLVERS
 template <SiconosMethod method>
-static std::unique_ptr<ContactSolver> make_siconos(const SolverSettings& shared) {
+static std::unique_ptr<solvers::ContactSolver> make_siconos(const SolverSettings& shared) {
   return std::make_unique<SiconosSolver>(SiconosSettings{.shared = shared, .method = method});
 }
 #endif
 
 /// Builds the solver that a scene asks for by this name.
-static std::unique_ptr<ContactSolver> make_named(SolverName name, const SolverSettings& settings) {
+static std::unique_ptr<solvers::ContactSolver> make_named(SolverName name, const SolverSettings& settings) {
   switch (name) {
     case SolverName::pgs:
-      return make<PgsSolver, PgsSettings>(settings);
+      return make<solvers::PgsSolver, solvers::PgsSettings>(settings);
     case SolverName::nsgs:
-      return make<NsgsSolver, NsgsSettings>(settings);
+      return make<solvers::NsgsSolver, solvers::NsgsSettings>(settings);
     case SolverName::eg:
-      return make<EgSolver, EgSettings>(settings);
+      return make<solvers::EgSolver, solvers::EgSettings>(settings);
     case SolverName::eg_order_free:
       return make_order_free(settings);
     case SolverName::apgd:
-      return make<ApgdSolver, ApgdSettings>(settings);
+      return make<solvers::ApgdSolver, solvers::ApgdSettings>(settings);
     case SolverName::enumerate:
-      return make<EnumerateSolver, EnumerateSettings>(settings);
+      return make<solvers::EnumerateSolver, solvers::EnumerateSettings>(settings);
     case SolverName::admm:
-      return make<AdmmSolver, AdmmSettings>(settings);
+      return make<solvers::AdmmSolver, solvers::AdmmSettings>(settings);
     case SolverName::ipm:
-      return make<IpmSolver, IpmSettings>(settings);
+      return make<solvers::IpmSolver, solvers::IpmSettings>(settings);
     case SolverName::newton:
-      return make<NewtonSolver, NewtonSettings>(settings);
+      return make<solvers::NewtonSolver, solvers::NewtonSettings>(settings);
     case SolverName::newton_order_free:
       return make_order_free_newton(settings);
     case SolverName::automatic:
-      return make<AutoSolver, AutoSettings>(settings);
+      return make<solvers::AutoSolver, solvers::AutoSettings>(settings);
   }
   return nullptr;
 }
@@ -161,4 +161,4 @@ void demand_moments(const SolverEntry& entry, Law law) {
   if (problem) throw InputError(*problem);
 }
 
-}  // namespace nilas
+}  // namespace nilas::contact

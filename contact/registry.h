@@ -9,13 +9,13 @@
 #include "contact/solvers/solver.h"
 #include "core/choices/solver_name.h"
 
-namespace nilas {
+namespace nilas::contact {
 
 struct SolverEntry {
   std::string name;
   std::string summary;  ///< one sentence: method, cost per iteration, when to use it
   std::vector<Law> laws;
-  std::function<std::unique_ptr<ContactSolver>(const SolverSettings&)> make;
+  std::function<std::unique_ptr<solvers::ContactSolver>(const SolverSettings&)> make;
   bool moments = false;     ///< see SolverTraits
   bool order_free = false;  ///< see SolverTraits
   std::optional<SolverName> in_scenes =
@@ -34,4 +34,4 @@ void demand_law(const SolverEntry& entry, Law law);
 /// is allowed.
 void demand_moments(const SolverEntry& entry, Law law);
 
-}  // namespace nilas
+}  // namespace nilas::contact

@@ -9,7 +9,7 @@
 #include "contact/problem/solution.h"
 #include "core/base/math.h"
 
-namespace nilas {
+namespace nilas::contact {
 
 /// A body at the time of the contact; it may have broken since.
 struct TouchingBody {
@@ -21,7 +21,7 @@ struct TouchingBody {
 struct SolvedProblem {
   ContactProblem problem;
   ContactSolution solution;
-  std::vector<ContactPoint> points;                   ///< the contact points, at the poses where they were found
+  std::vector<detect::ContactPoint> points;           ///< the contact points, at the poses where they were found
   std::vector<std::array<TouchingBody, 2>> touching;  ///< bodies a and b of each point
   std::vector<double> d;                              ///< inverse mass scale of each contact, as from `measure` [1/kg]
   std::vector<Vec3> impulses;                         ///< impulses at the points, on body b, in G [N s]
@@ -30,4 +30,4 @@ struct SolvedProblem {
   Mat3 vessel_R = Mat3::Identity();  ///< the vessel's attitude at that time
 };
 
-}  // namespace nilas
+}  // namespace nilas::contact

@@ -5,7 +5,7 @@
 
 #include "contact/problem/row_of.h"
 
-namespace nilas {
+namespace nilas::contact {
 
 static double slip_of(const ContactSolution& solution, std::size_t c) {
   const auto first = row_of(c);
@@ -21,7 +21,7 @@ static SlippingContacts slipping_contacts(const StaticFriction& friction, const 
   return slipping;
 }
 
-StaticFrictionSolution solve_with_static_friction(const StaticFriction& friction, const ContactSolver& solver,
+StaticFrictionSolution solve_with_static_friction(const StaticFriction& friction, const solvers::ContactSolver& solver,
                                                   const VecX& guess, const SlippingContacts& slipped,
                                                   ContactProblem& problem, const PreparedProblem& prepared) {
   const std::vector<double> kinetic = problem.mu;
@@ -50,10 +50,10 @@ StaticFrictionSolution solve_with_static_friction(const StaticFriction& friction
   return out;
 }
 
-StaticFrictionSolution solve_with_static_friction(const StaticFriction& friction, const ContactSolver& solver,
+StaticFrictionSolution solve_with_static_friction(const StaticFriction& friction, const solvers::ContactSolver& solver,
                                                   const VecX& guess, const SlippingContacts& slipped,
                                                   ContactProblem& problem) {
   return solve_with_static_friction(friction, solver, guess, slipped, problem, PreparedProblem(problem));
 }
 
-}  // namespace nilas
+}  // namespace nilas::contact

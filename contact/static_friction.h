@@ -10,7 +10,7 @@
 
 #include "contact/solvers/solver.h"
 
-namespace nilas {
+namespace nilas::contact {
 
 /// Keys of the contacts that slip, in rising order.
 using SlippingContacts = std::vector<std::uint64_t>;
@@ -31,12 +31,12 @@ struct StaticFrictionSolution {
 /// `problem.mu` the coefficient that each contact had, so that `measure` judges the solution by that problem. After
 /// k_most_rounds the last solution stands, and its status is no better than stalled. `prepared` is of this `problem`
 /// and serves all rounds.
-StaticFrictionSolution solve_with_static_friction(const StaticFriction& friction, const ContactSolver& solver,
+StaticFrictionSolution solve_with_static_friction(const StaticFriction& friction, const solvers::ContactSolver& solver,
                                                   const VecX& guess, const SlippingContacts& slipped,
                                                   ContactProblem& problem, const PreparedProblem& prepared);
 /// Prepares the problem first.
-StaticFrictionSolution solve_with_static_friction(const StaticFriction& friction, const ContactSolver& solver,
+StaticFrictionSolution solve_with_static_friction(const StaticFriction& friction, const solvers::ContactSolver& solver,
                                                   const VecX& guess, const SlippingContacts& slipped,
                                                   ContactProblem& problem);
 
-}  // namespace nilas
+}  // namespace nilas::contact

@@ -2,18 +2,18 @@
 
 #include "core/base/order_free_sum.h"
 
-namespace nilas {
+namespace nilas::contact {
 
 Vec3 relative_velocity(const StepMotion& motion, const Velocities& velocities, std::size_t contact) {
-  const ContactPoint& c = motion.points[contact];
+  const detect::ContactPoint& c = motion.points[contact];
   const auto a = static_cast<std::size_t>(c.a), b = static_cast<std::size_t>(c.b);
   return velocities.v[b] + velocities.w[b].cross(c.p - motion.p[b]) - velocities.v[a] -
          velocities.w[a].cross(c.p - motion.p[a]);
 }
 
-std::vector<ContactPoint> carried_points(const StepMotion& motion, const Bodies& bodies) {
-  std::vector<ContactPoint> points = motion.points;
-  for (ContactPoint& c : points) {
+std::vector<detect::ContactPoint> carried_points(const StepMotion& motion, const bodies::Bodies& bodies) {
+  std::vector<detect::ContactPoint> points = motion.points;
+  for (detect::ContactPoint& c : points) {
     const auto turned = [&](int body, const Vec3& x) -> Vec3 {
       const auto b = static_cast<std::size_t>(body);
       return bodies.R_GB[b] * (motion.R[b].transpose() * x);
@@ -33,7 +33,7 @@ std::vector<ContactPoint> carried_points(const StepMotion& motion, const Bodies&
 Wrench contact_impulse_on(const StepMotion& motion, int body) {
   OrderFreeVectorSum force, torque;
   for (std::size_t i = 0; i < motion.points.size(); ++i) {
-    const ContactPoint& c = motion.points[i];
+    const detect::ContactPoint& c = motion.points[i];
     if (c.a != body && c.b != body) continue;
     const double sign = c.b == body ? 1 : -1;
     const Vec3 impulse = sign * motion.impulses[i];
@@ -44,4 +44,4 @@ Wrench contact_impulse_on(const StepMotion& motion, int body) {
   return {force.value(), torque.value()};
 }
 
-}  // namespace nilas
+}  // namespace nilas::contact

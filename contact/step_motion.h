@@ -7,7 +7,7 @@
 #include "core/bodies/bodies.h"
 #include "core/bodies/module.h"
 
-namespace nilas {
+namespace nilas::contact {
 
 /// Linear and angular velocities of all bodies at the same instant, in G.
 struct Velocities {
@@ -23,7 +23,7 @@ struct StepMotion {
   Velocities before,
       after;  ///< velocities before and after the impulses, at that pose; for a vessel on a carriage: at both ends of
               ///< the step
-  std::vector<ContactPoint> points;
+  std::vector<detect::ContactPoint> points;
   std::vector<Vec3> impulses;         ///< impulses at the points, on body b, in G [N s]
   std::vector<Vec3> normal_impulses;  ///< their components along the normal
   std::vector<double> speed_asked;    ///< u_N that the stabilisation asked of the velocity step at each point [m/s]
@@ -35,10 +35,10 @@ Vec3 relative_velocity(const StepMotion& motion, const Velocities& velocities, s
 
 /// The contact points, carried along with the bodies to their present poses. Each body's point moves with the body, the
 /// normal turns with the mean of both bodies, and the gap is the distance along it.
-std::vector<ContactPoint> carried_points(const StepMotion& motion, const Bodies& bodies);
+std::vector<detect::ContactPoint> carried_points(const StepMotion& motion, const bodies::Bodies& bodies);
 
 /// The sum of the contact impulses on one body, about its centre of mass at the pose of the step's contacts [N s, N m
 /// s].
 Wrench contact_impulse_on(const StepMotion& motion, int body);
 
-}  // namespace nilas
+}  // namespace nilas::contact

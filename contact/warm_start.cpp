@@ -4,7 +4,7 @@
 
 #include "contact/problem/row_of.h"
 
-namespace nilas {
+namespace nilas::contact {
 
 VecX WarmStart::guess(const std::vector<std::uint64_t>& keys, const std::vector<Mat3>& frames) const {
   VecX r = VecX::Zero(row_of(keys.size()));
@@ -46,4 +46,4 @@ void WarmStart::restore(const StateReader& in) {
   for (std::size_t i = 0; i < keys.size(); ++i) sorted_.emplace_back(keys[i], impulses[i]);
 }
 
-}  // namespace nilas
+}  // namespace nilas::contact

@@ -8,7 +8,7 @@
 #include "contact/problem/problem.h"
 #include "core/base/state.h"
 
-namespace nilas {
+namespace nilas::contact {
 
 class WarmStart {
  public:
@@ -24,4 +24,4 @@ class WarmStart {
   std::vector<std::pair<std::uint64_t, Vec3>> sorted_;
 };
 
-}  // namespace nilas
+}  // namespace nilas::contact

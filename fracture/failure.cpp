@@ -7,7 +7,7 @@
 #include "fracture/bend/weakest_sections.h"
 #include "fracture/split/splitting_table.h"
 
-namespace nilas {
+namespace nilas::fracture {
 
 namespace {
 
@@ -183,4 +183,4 @@ std::vector<Failure> FailureRules::failures(const std::vector<Vec2>& outline, co
   return found;
 }
 
-}  // namespace nilas
+}  // namespace nilas::fracture

@@ -16,7 +16,7 @@
 #include "fracture/cut/local_ice.h"
 #include "fracture/split/splitting_lefm.h"
 
-namespace nilas {
+namespace nilas::fracture {
 
 struct FailureSettings {
   double youngs_modulus = 5e9;  ///< [Pa]
@@ -125,4 +125,4 @@ class FailureRules {
   std::optional<SplittingTable> splitting_;
 };
 
-}  // namespace nilas
+}  // namespace nilas::fracture

@@ -5,7 +5,7 @@
 
 #include "core/base/error.h"
 
-namespace nilas {
+namespace nilas::fracture {
 
 /// The largest damage. Some strength must remain, since loads are divided by it.
 constexpr double k_most_damage = 0.999;
@@ -86,4 +86,4 @@ void IceDamage::restore(const StateReader& in) {
   for (std::size_t k = 0; k < floes.size(); ++k) marks_[floes[k]].push_back({places[k], damage[k], peaks[k], false});
 }
 
-}  // namespace nilas
+}  // namespace nilas::fracture

@@ -7,7 +7,7 @@
 #include "core/base/math.h"
 #include "core/base/state.h"
 
-namespace nilas {
+namespace nilas::fracture {
 
 struct DamageRule {
   double exponent = 13.5;  ///< m: N = S^-m loads of the share S of the strength break the ice [-].
@@ -51,4 +51,4 @@ class IceDamage {
   std::map<std::int64_t, std::vector<Mark>> marks_;  ///< The loaded places by the id of the floe.
 };
 
-}  // namespace nilas
+}  // namespace nilas::fracture

@@ -2,7 +2,7 @@
 #include "hydro/modules.h"
 #include "hydro/wet_body.h"
 
-namespace nilas {
+namespace nilas::hydro {
 
 namespace {
 
@@ -14,17 +14,17 @@ struct Afloat {
   Submerged wet;
 };
 
-class Buoyancy : public ForceModule {
+class Buoyancy : public bodies::ForceModule {
  public:
   Buoyancy(const Water& water, int threads) : water_(water), threads_(threads) {}
   std::string name() const override { return "buoyancy"; }
   bool conservative() const override { return true; }
-  VesselLoad load_on_vessel() const override { return VesselLoad::water; }
-  void add_forces(const Bodies& bodies, double t, Wrenches& out) override;
-  double potential_energy(const Bodies& bodies) override;
+  bodies::VesselLoad load_on_vessel() const override { return bodies::VesselLoad::water; }
+  void add_forces(const bodies::Bodies& bodies, double t, bodies::Wrenches& out) override;
+  double potential_energy(const bodies::Bodies& bodies) override;
 
  private:
-  void update(const Bodies& bodies);
+  void update(const bodies::Bodies& bodies);
   Submerged submerged(WetBody<Afloat>& body, const Mat3& R, const Vec3& p) const;
 
   Water water_;
@@ -41,8 +41,8 @@ Submerged Buoyancy::submerged(WetBody<Afloat>& body, const Mat3& R, const Vec3& 
 
 /// Clips the bodies that moved. The energy account reads the energy at the poses at which the next step reads the
 /// forces, so that each pose is clipped once.
-void Buoyancy::update(const Bodies& bodies) {
-  nilas::follow(bodies, list_, prepare_geometry);
+void Buoyancy::update(const bodies::Bodies& bodies) {
+  nilas::hydro::follow(bodies, list_, prepare_geometry);
   moved_.clear();
   for (std::size_t b = 0; b < list_.size(); ++b) {
     const Afloat& kept = list_[b].result;
@@ -57,7 +57,7 @@ void Buoyancy::update(const Bodies& bodies) {
   });
 }
 
-void Buoyancy::add_forces(const Bodies& bodies, double /*t*/, Wrenches& out) {
+void Buoyancy::add_forces(const bodies::Bodies& bodies, double /*t*/, bodies::Wrenches& out) {
   update(bodies);
   for (std::size_t b = 0; b < list_.size(); ++b) {
     if (!takes_water(bodies, static_cast<int>(b))) continue;
@@ -67,7 +67,7 @@ void Buoyancy::add_forces(const Bodies& bodies, double /*t*/, Wrenches& out) {
   }
 }
 
-double Buoyancy::potential_energy(const Bodies& bodies) {
+double Buoyancy::potential_energy(const bodies::Bodies& bodies) {
   update(bodies);
   double moment = 0;  // of the displaced volume below the level [m^4]
   for (std::size_t b = 0; b < list_.size(); ++b) {
@@ -80,8 +80,8 @@ double Buoyancy::potential_energy(const Bodies& bodies) {
 
 }  // namespace
 
-std::unique_ptr<ForceModule> make_buoyancy(const Water& water, int threads) {
+std::unique_ptr<bodies::ForceModule> make_buoyancy(const Water& water, int threads) {
   return std::make_unique<Buoyancy>(water, threads);
 }
 
-}  // namespace nilas
+}  // namespace nilas::hydro

@@ -5,7 +5,7 @@
 #include "core/base/math.h"
 #include "hydro/water_plane.h"
 
-namespace nilas {
+namespace nilas::hydro {
 
 /// A triangle with one corner alone on its side of the water plane. The plane cuts the two edges that meet in this
 /// corner. A point is wet where its height is below 0.
@@ -68,4 +68,4 @@ class CutTriangle {
   Vec3 next_cut_, previous_cut_;  ///< The cuts of the edges that meet in the lone corner.
 };
 
-}  // namespace nilas
+}  // namespace nilas::hydro

@@ -5,7 +5,7 @@
 #include "hydro/sphere_surface.h"
 #include "hydro/wet_body.h"
 
-namespace nilas {
+namespace nilas::hydro {
 
 namespace {
 
@@ -44,19 +44,19 @@ class FaceDrag {
   VectorSum force_, torque_;
 };
 
-class Drag : public ForceModule {
+class Drag : public bodies::ForceModule {
  public:
   Drag(const Water& water, const DragCoefficients& coefficients, int threads, bool order_free)
       : water_(water), coefficients_(coefficients), threads_(threads), order_free_(order_free) {}
   std::string name() const override { return "drag"; }
-  VesselLoad load_on_vessel() const override { return VesselLoad::water; }
-  void add_forces(const Bodies& bodies, double t, Wrenches& out) override;
-  void limit(const Bodies& bodies, double h, Wrenches& out) const override;
+  bodies::VesselLoad load_on_vessel() const override { return bodies::VesselLoad::water; }
+  void add_forces(const bodies::Bodies& bodies, double t, bodies::Wrenches& out) override;
+  void limit(const bodies::Bodies& bodies, double h, bodies::Wrenches& out) const override;
 
  private:
   struct NoResult {};
   template <class VectorSum>
-  Wrench drag_on(const Bodies& bodies, std::size_t b);
+  Wrench drag_on(const bodies::Bodies& bodies, std::size_t b);
 
   Water water_;
   DragCoefficients coefficients_;
@@ -66,7 +66,7 @@ class Drag : public ForceModule {
 };
 
 template <class VectorSum>
-Wrench Drag::drag_on(const Bodies& bodies, std::size_t b) {
+Wrench Drag::drag_on(const bodies::Bodies& bodies, std::size_t b) {
   const Mat3& R = bodies.R_GB[b];
   const WaterPlane plane = water_plane(R, bodies.p_GB[b], water_.level);
   FaceDrag<VectorSum> drag(R.transpose() * (water_.current - bodies.v_GB[b]), R.transpose() * bodies.w_GB[b],
@@ -79,9 +79,9 @@ Wrench Drag::drag_on(const Bodies& bodies, std::size_t b) {
   return {R * sum.force, R * sum.torque};
 }
 
-void Drag::add_forces(const Bodies& bodies, double /*t*/, Wrenches& out) {
-  nilas::follow(bodies, list_, [](const Shape& shape) -> WetGeometry {
-    if (shape.kind == ShapeKind::sphere) return MeshWater(sphere_surface(shape.radius));
+void Drag::add_forces(const bodies::Bodies& bodies, double /*t*/, bodies::Wrenches& out) {
+  nilas::hydro::follow(bodies, list_, [](const geometry::Shape& shape) -> WetGeometry {
+    if (shape.kind == geometry::ShapeKind::sphere) return MeshWater(sphere_surface(shape.radius));
     return prepare_geometry(shape);
   });
   parallel_for(bodies.size(), threads_, [&](std::ptrdiff_t i) {
@@ -91,7 +91,7 @@ void Drag::add_forces(const Bodies& bodies, double /*t*/, Wrenches& out) {
   });
 }
 
-void Drag::limit(const Bodies& bodies, double h, Wrenches& out) const {
+void Drag::limit(const bodies::Bodies& bodies, double h, bodies::Wrenches& out) const {
   for (std::size_t b = 0; b < out.size(); ++b) {
     Wrench& drag = out[b];
     if (!bodies.is_free(static_cast<int>(b)) || (drag.force.isZero(0) && drag.torque.isZero(0))) continue;
@@ -107,9 +107,9 @@ void Drag::limit(const Bodies& bodies, double h, Wrenches& out) const {
 
 }  // namespace
 
-std::unique_ptr<ForceModule> make_drag(const Water& water, const DragCoefficients& coefficients, int threads,
-                                       bool order_free) {
+std::unique_ptr<bodies::ForceModule> make_drag(const Water& water, const DragCoefficients& coefficients, int threads,
+                                               bool order_free) {
   return std::make_unique<Drag>(water, coefficients, threads, order_free);
 }
 
-}  // namespace nilas
+}  // namespace nilas::hydro

@@ -11,7 +11,7 @@
 #include "hydro/mesh_water.h"
 #include "hydro/wet_body.h"
 
-namespace nilas {
+namespace nilas::hydro {
 
 namespace {
 
@@ -40,7 +40,7 @@ Displacement displacement(MeshWater& mesh, const Mat3& R, double z, const Water&
 /// A body of any shape about its centre of mass, with the water integrals of the buoyancy module.
 class FloatingShape {
  public:
-  explicit FloatingShape(const Shape& shape) : shape_(shape), geometry_(prepare_geometry(shape)) {}
+  explicit FloatingShape(const geometry::Shape& shape) : shape_(shape), geometry_(prepare_geometry(shape)) {}
 
   Submerged submerged(const Mat3& R, double z, double level) {
     const Vec3 p(0, 0, z);
@@ -49,13 +49,13 @@ class FloatingShape {
     return submerged_sphere(shape_.radius, p, level);
   }
   Waterplane cut(const Mat3& R, double z, double level) const {
-    if (shape_.kind != ShapeKind::sphere) return waterplane(shape_.surface, R, {0, 0, z}, level);
+    if (shape_.kind != geometry::ShapeKind::sphere) return waterplane(shape_.surface, R, {0, 0, z}, level);
     const double square = std::max(shape_.radius * shape_.radius - (level - z) * (level - z), 0.0);
     return {k_pi * square, Vec2::Zero(), 0.25 * k_pi * square * square, 0.25 * k_pi * square * square, 0};
   }
   /// The height of the lowest point above the origin, mostly negative [m].
   double lowest(const Mat3& R) const {
-    if (shape_.kind == ShapeKind::sphere) return -shape_.radius;
+    if (shape_.kind == geometry::ShapeKind::sphere) return -shape_.radius;
     double z = 0;
     for (const Vec3& x : shape_.surface.vertices) z = std::min(z, R.row(2).dot(x));
     return z;
@@ -63,14 +63,14 @@ class FloatingShape {
   /// The height at which the Newton iteration begins: heave balance at this attitude, for a sphere half under water
   /// [m].
   double start_height(const Mat3& R, double mass, const Water& water) const {
-    if (shape_.kind != ShapeKind::sphere) return floating_height(shape_.surface, R, mass, water);
+    if (shape_.kind != geometry::ShapeKind::sphere) return floating_height(shape_.surface, R, mass, water);
     const double most = water.density * 4 / 3 * k_pi * std::pow(shape_.radius, 3);
     if (mass >= most) refuse_to_sink(mass, most);
     return water.level;
   }
 
  private:
-  const Shape& shape_;
+  const geometry::Shape& shape_;
   WetGeometry geometry_;
 };
 
@@ -96,7 +96,7 @@ void add_metacentres(const Waterplane& cut, double buoyancy_height, const Mat3& 
 
 }  // namespace
 
-double floating_height(const TriangleMesh& mesh, const Mat3& R, double mass, const Water& water) {
+double floating_height(const geometry::TriangleMesh& mesh, const Mat3& R, double mass, const Water& water) {
   if (!(mass > 0)) throw InputError("a floating body needs a positive mass, not " + std::to_string(mass) + " kg");
   MeshWater prepared(mesh);
   const auto [bottom, top] = prepared.height_range({R.row(2).transpose(), 0});
@@ -116,13 +116,14 @@ double floating_height(const TriangleMesh& mesh, const Mat3& R, double mass, con
   return sunk + boost::math::tools::newton_raphson_iterate(excess, 0.5 * height, 0.0, height, k_bits, passes);
 }
 
-FloatingEquilibrium floating_equilibrium(const Shape& shape, double mass, const Quat& start, const Water& water) {
+FloatingEquilibrium floating_equilibrium(const geometry::Shape& shape, double mass, const Quat& start,
+                                         const Water& water) {
   if (!(mass > 0)) throw InputError("a floating body needs a positive mass, not " + std::to_string(mass) + " kg");
-  if (shape.kind == ShapeKind::plane) throw InputError("a half space does not float");
+  if (shape.kind == geometry::ShapeKind::plane) throw InputError("a half space does not float");
   FloatingShape body(shape);
   const double size = shape.bounding_radius;
   const double z_start = body.start_height(start.toRotationMatrix(), mass, water);
-  const bool round = shape.kind == ShapeKind::sphere;  // rests at any attitude
+  const bool round = shape.kind == geometry::ShapeKind::sphere;  // rests at any attitude
   const auto height = [&](const VecX& x) { return z_start + size * x[0]; };
   const auto attitude = [&](const VecX& x) { return tilted(round ? Vec2(Vec2::Zero()) : Vec2(x.tail<2>()), start); };
   // The unknowns are the height over the body's size, and the tilt. The equations are buoyancy over weight, and the
@@ -133,9 +134,9 @@ FloatingEquilibrium floating_equilibrium(const Shape& shape, double mass, const 
     f[0] = carried - 1;
     if (!round) f.tail<2>() = carried / size * wet.centre.head<2>();
   };
-  NonlinearSettings settings;
+  numerics::NonlinearSettings settings;
   settings.longest_step = 0.5;  // half a radius, or half a radian
-  const NonlinearSolution solution = solve_nonlinear(balance, VecX::Zero(round ? 1 : 3), settings);
+  const numerics::NonlinearSolution solution = numerics::solve_nonlinear(balance, VecX::Zero(round ? 1 : 3), settings);
   if (!solution.converged)
     throw InputError("no floating equilibrium found from the given attitude: buoyancy and weight stay " +
                      std::to_string(solution.residual) + " of the weight or of the body's radius apart (" +
@@ -154,4 +155,4 @@ FloatingEquilibrium floating_equilibrium(const Shape& shape, double mass, const 
   return found;
 }
 
-}  // namespace nilas
+}  // namespace nilas::hydro

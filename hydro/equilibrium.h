@@ -4,11 +4,11 @@
 #include "core/geometry/shape.h"
 #include "hydro/water.h"
 
-namespace nilas {
+namespace nilas::hydro {
 
 /// The height z [m] of the mesh origin at which a body of attitude R floats: rho V = mass [kg] within 1e-12 of the
 /// mass. Throws InputError when the body would sink, when the mass is not positive, or for a mesh without triangles.
-double floating_height(const TriangleMesh& mesh, const Mat3& R, double mass, const Water& water);
+double floating_height(const geometry::TriangleMesh& mesh, const Mat3& R, double mass, const Water& water);
 
 /// A body afloat at rest: buoyancy carries the weight, and its centre is on the vertical through the centre of mass.
 struct FloatingEquilibrium {
@@ -29,6 +29,7 @@ struct FloatingEquilibrium {
 /// integrals are those of the buoyancy module. The equilibrium need not be stable: an upright start stays upright.
 /// Throws InputError when the body would sink, has no positive mass or no bounded shape, or when no equilibrium is
 /// found.
-FloatingEquilibrium floating_equilibrium(const Shape& shape, double mass, const Quat& start, const Water& water);
+FloatingEquilibrium floating_equilibrium(const geometry::Shape& shape, double mass, const Quat& start,
+                                         const Water& water);
 
-}  // namespace nilas
+}  // namespace nilas::hydro

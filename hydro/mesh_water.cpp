@@ -7,9 +7,9 @@
 #include "core/base/mirror_order.h"
 #include "hydro/pyramid_sum.h"
 
-namespace nilas {
+namespace nilas::hydro {
 
-MeshWater::MeshWater(TriangleMesh mesh) : mesh_(std::move(mesh)), height_(mesh_.vertices.size()) {
+MeshWater::MeshWater(geometry::TriangleMesh mesh) : mesh_(std::move(mesh)), height_(mesh_.vertices.size()) {
   if (mesh_.triangles.empty()) throw InputError("a mesh without triangles displaces no water");
   constexpr double k_third = 1.0 / 3.0;  // centroid of a triangle
   faces_.reserve(mesh_.triangles.size());
@@ -60,4 +60,4 @@ Submerged MeshWater::submerged(const Mat3& R, const Vec3& p, double level) {
   return {sum.volume(), p + R * sum.centre()};
 }
 
-}  // namespace nilas
+}  // namespace nilas::hydro

@@ -9,12 +9,12 @@
 #include "hydro/water_plane.h"
 #include "hydro/wetted.h"
 
-namespace nilas {
+namespace nilas::hydro {
 
 class MeshWater {
  public:
   /// Takes a closed mesh with outward faces, in the body frame. Throws InputError when it has no triangles.
-  explicit MeshWater(TriangleMesh mesh);
+  explicit MeshWater(geometry::TriangleMesh mesh);
   /// The volume below the water `level` [m] and its centre in G, at the pose (R, p).
   Submerged submerged(const Mat3& R, const Vec3& p, double level);
   /// Calls visit(area, centroid_B, normal_B) for the wet part of every face.
@@ -45,7 +45,7 @@ class MeshWater {
   int wet_corners(std::size_t triangle) const;
   CutTriangle cut_triangle(std::size_t triangle) const;
 
-  TriangleMesh mesh_;
+  geometry::TriangleMesh mesh_;
   std::vector<Face> faces_;     ///< One face per triangle.
   std::vector<double> height_;  ///< The heights of the vertices above the plane read last [m].
 };
@@ -92,4 +92,4 @@ void MeshWater::for_each_cut(const WaterPlane& plane, const Visit& visit) {
   }
 }
 
-}  // namespace nilas
+}  // namespace nilas::hydro

@@ -7,12 +7,12 @@
 #include "core/choices/defaults.h"
 #include "hydro/water.h"
 
-namespace nilas {
+namespace nilas::hydro {
 
 /// Hydrostatic pressure integrated exactly over the wetted surface: rho g V upwards at the centre of buoyancy. The
 /// force is conservative. Its potential is rho g times the integral of (level - z) over the submerged volume. A body
 /// whose pose has not changed is not clipped again.
-std::unique_ptr<ForceModule> make_buoyancy(const Water& water, int threads);
+std::unique_ptr<bodies::ForceModule> make_buoyancy(const Water& water, int threads);
 
 /// Quadratic drag, evaluated at one point per wetted face, the centroid of its wet part. Let n be the outward normal,
 /// v_r = current - (v + w x r), and v_t = v_r - (v_r . n) n:
@@ -30,12 +30,12 @@ struct DragCoefficients {
 /// wrench W of a free body down to W P / (h W . M^-1 W) where that is less than W. P is the power that the drag takes
 /// from the motion through the water. The scaled drag takes at most half of h P, and never gives energy. With
 /// `order_free` the bits do not depend on the order of faces, and mirrored bodies take mirrored loads.
-std::unique_ptr<ForceModule> make_drag(const Water& water, const DragCoefficients& coefficients, int threads,
-                                       bool order_free = false);
+std::unique_ptr<bodies::ForceModule> make_drag(const Water& water, const DragCoefficients& coefficients, int threads,
+                                               bool order_free = false);
 
 /// F = coefficient (velocity - v) at the centre of mass of each free floe [N s/m, m/s]: the driving force of the
 /// pre-sawn test. Where coefficient h > m, the force of a step of length h [s] would carry a floe past `velocity`.
 /// There limit() scales it down so that the floe just reaches that velocity.
-std::unique_ptr<ForceModule> make_virtual_drag(double coefficient, const Vec3& velocity);
+std::unique_ptr<bodies::ForceModule> make_virtual_drag(double coefficient, const Vec3& velocity);
 
-}  // namespace nilas
+}  // namespace nilas::hydro

@@ -6,7 +6,7 @@
 #include "hydro/wet_polygon.h"
 #include "hydro/wetted.h"
 
-namespace nilas {
+namespace nilas::hydro {
 
 template <class Visit>
 void PrismWater::for_each_wet_face(const WaterPlane& plane, const Visit& visit) const {
@@ -93,4 +93,4 @@ void PrismWater::visit_clipped(const Side& s, const WaterPlane& plane, const Vis
   visit(wet.area(), Vec3(q.x(), q.y(), centroid.y()), Vec3(s.normal.x(), s.normal.y(), 0));
 }
 
-}  // namespace nilas
+}  // namespace nilas::hydro

@@ -6,10 +6,11 @@
 #include "hydro/prism_faces.h"
 #include "hydro/pyramid_sum.h"
 
-namespace nilas {
+namespace nilas::hydro {
 
-PrismWater::PrismWater(const Shape& prism) : moments_(polygon_moments(prism.outline)), half_(0.5 * prism.thickness) {
-  NILAS_DEMAND(prism.kind == ShapeKind::prism && prism.outline.size() > 2);
+PrismWater::PrismWater(const geometry::Shape& prism)
+    : moments_(geometry::polygon_moments(prism.outline)), half_(0.5 * prism.thickness) {
+  NILAS_DEMAND(prism.kind == geometry::ShapeKind::prism && prism.outline.size() > 2);
   const std::vector<Vec2>& outline = prism.outline;
   for (std::size_t i = 0; i < outline.size(); ++i) {
     const Vec2& start = outline[i];
@@ -58,7 +59,7 @@ Vec3 PrismWater::deepest_point(const WaterPlane& plane) const {
 Submerged PrismWater::between_caps(const WaterPlane& plane) const {
   const double low = plane.up.z() > 0 ? -1 : 1;
   const Vec2 slope = -plane.up.head<2>() / plane.up.z();
-  const PolygonMoments& m = moments_;
+  const geometry::PolygonMoments& m = moments_;
   // z of the water plane at the outline's centroid.
   const double z = -plane.offset / plane.up.z() + slope.dot(m.centroid);
   const double length = half_ - low * z;
@@ -99,4 +100,4 @@ void PrismWater::wetted_faces(const Mat3& R, const Vec3& p, double level, std::v
   });
 }
 
-}  // namespace nilas
+}  // namespace nilas::hydro

@@ -3,7 +3,7 @@
 #include "core/base/math.h"
 #include "core/base/order_free_sum.h"
 
-namespace nilas {
+namespace nilas::hydro {
 
 /// Sum of the pyramids from one apex over all faces. A face in a plane through the apex adds nothing and may be left
 /// out. With the apex on the water plane, the waterplane of a floating solid needs no face.
@@ -31,4 +31,4 @@ class PyramidSum {
   OrderFreeVectorSum moment_;
 };
 
-}  // namespace nilas
+}  // namespace nilas::hydro

@@ -2,14 +2,14 @@
 
 #include <cmath>
 
-namespace nilas {
+namespace nilas::hydro {
 
 namespace {
 
 constexpr int k_cuts = 8;  // of each octahedron edge
 
 /// Adds one octant of the unit sphere. `sign` holds the signs of x, y and z.
-void add_octant(const Vec3& sign, TriangleMesh& mesh) {
+void add_octant(const Vec3& sign, geometry::TriangleMesh& mesh) {
   const int first = static_cast<int>(mesh.vertices.size());
   const auto index = [&](int i, int j) { return first + i * (k_cuts + 1) - i * (i - 1) / 2 + j; };
   for (int i = 0; i <= k_cuts; ++i)
@@ -26,7 +26,7 @@ void add_octant(const Vec3& sign, TriangleMesh& mesh) {
     }
 }
 
-double surface_area(const TriangleMesh& mesh) {
+double surface_area(const geometry::TriangleMesh& mesh) {
   double area = 0;
   for (const auto& [a, b, c] : mesh.triangles) {
     const Vec3& corner = mesh.vertices[a];
@@ -37,9 +37,9 @@ double surface_area(const TriangleMesh& mesh) {
 
 }  // namespace
 
-TriangleMesh sphere_surface(double radius) {
+geometry::TriangleMesh sphere_surface(double radius) {
   constexpr double k_unit_sphere = 4 * k_pi;  // area [m^2]
-  TriangleMesh mesh;
+  geometry::TriangleMesh mesh;
   for (const double x : {1.0, -1.0})
     for (const double y : {1.0, -1.0})
       for (const double z : {1.0, -1.0}) add_octant({x, y, z}, mesh);
@@ -48,4 +48,4 @@ TriangleMesh sphere_surface(double radius) {
   return mesh;
 }
 
-}  // namespace nilas
+}  // namespace nilas::hydro

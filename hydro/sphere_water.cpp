@@ -2,7 +2,7 @@
 
 #include "hydro/wetted.h"
 
-namespace nilas {
+namespace nilas::hydro {
 
 Submerged submerged_sphere(double radius, const Vec3& p, double level) {
   constexpr double
@@ -15,4 +15,4 @@ Submerged submerged_sphere(double radius, const Vec3& p, double level) {
   return {k_pi / k_three * depth * depth * slant, p - Vec3(0, 0, below)};
 }
 
-}  // namespace nilas
+}  // namespace nilas::hydro

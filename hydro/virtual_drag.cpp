@@ -1,21 +1,21 @@
 #include "hydro/modules.h"
 
-namespace nilas {
+namespace nilas::hydro {
 
 namespace {
 
-class VirtualDrag : public ForceModule {
+class VirtualDrag : public bodies::ForceModule {
  public:
   VirtualDrag(double coefficient, const Vec3& velocity) : coefficient_(coefficient), velocity_(velocity) {}
   std::string name() const override { return "virtual_drag"; }
-  VesselLoad load_on_vessel() const override { return VesselLoad::none; }
-  void add_forces(const Bodies& bodies, double /*t*/, Wrenches& out) override {
+  bodies::VesselLoad load_on_vessel() const override { return bodies::VesselLoad::none; }
+  void add_forces(const bodies::Bodies& bodies, double /*t*/, bodies::Wrenches& out) override {
     for (std::size_t b = 0; b < out.size(); ++b) {
-      if (bodies.kind[b] != BodyKind::floe || bodies.motion[b] != Motion::free) continue;
+      if (bodies.kind[b] != bodies::BodyKind::floe || bodies.motion[b] != bodies::Motion::free) continue;
       out[b].force += coefficient_ * (velocity_ - bodies.v_GB[b]);
     }
   }
-  void limit(const Bodies& bodies, double h, Wrenches& out) const override {
+  void limit(const bodies::Bodies& bodies, double h, bodies::Wrenches& out) const override {
     for (std::size_t b = 0; b < out.size(); ++b)
       if (h * coefficient_ > bodies.mass[b]) out[b].force *= bodies.mass[b] / (h * coefficient_);
   }
@@ -27,8 +27,8 @@ class VirtualDrag : public ForceModule {
 
 }  // namespace
 
-std::unique_ptr<ForceModule> make_virtual_drag(double coefficient, const Vec3& velocity) {
+std::unique_ptr<bodies::ForceModule> make_virtual_drag(double coefficient, const Vec3& velocity) {
   return std::make_unique<VirtualDrag>(coefficient, velocity);
 }
 
-}  // namespace nilas
+}  // namespace nilas::hydro

@@ -3,7 +3,7 @@
 #include "core/base/math.h"
 #include "core/choices/defaults.h"
 
-namespace nilas {
+namespace nilas::hydro {
 
 struct Water {
   double density = defaults::k_water_density;  ///< [kg/m^3]
@@ -12,4 +12,4 @@ struct Water {
   double gravity = defaults::k_gravity;        ///< Magnitude; acts along -Z [m/s^2].
 };
 
-}  // namespace nilas
+}  // namespace nilas::hydro

@@ -2,7 +2,7 @@
 /// The water plane seen from a body frame B.
 #include "core/base/math.h"
 
-namespace nilas {
+namespace nilas::hydro {
 
 /// The plane of still water in the frame B. A body point x is at the height up . x + offset above it.
 struct WaterPlane {
@@ -26,4 +26,4 @@ Point leaves_water(const Point& wet, double wet_height, const Point& dry, double
   return wet + wet_height / (wet_height - dry_height) * (dry - wet);
 }
 
-}  // namespace nilas
+}  // namespace nilas::hydro

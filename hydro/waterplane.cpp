@@ -1,7 +1,7 @@
 #include "hydro/mesh_water.h"
 #include "hydro/wetted.h"
 
-namespace nilas {
+namespace nilas::hydro {
 
 namespace {
 
@@ -28,7 +28,7 @@ struct BoundarySum {
 
 }  // namespace
 
-Waterplane waterplane(const TriangleMesh& mesh, const Mat3& R, const Vec3& p, double level) {
+Waterplane waterplane(const geometry::TriangleMesh& mesh, const Mat3& R, const Vec3& p, double level) {
   const WaterPlane plane = water_plane(R, p, level);
   BoundarySum sum;
   Vec3 origin = Vec3::Zero();  // on the boundary, lest digits cancel for a solid far from the frame's origin
@@ -45,4 +45,4 @@ Waterplane waterplane(const TriangleMesh& mesh, const Mat3& R, const Vec3& p, do
           sum.yy - sum.area * c.y() * c.y(), sum.xy - sum.area * c.x() * c.y()};
 }
 
-}  // namespace nilas
+}  // namespace nilas::hydro

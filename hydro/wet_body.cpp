@@ -1,27 +1,27 @@
 #include "hydro/wet_body.h"
 
-namespace nilas {
+namespace nilas::hydro {
 
-bool takes_water(const Bodies& bodies, int b) {
+bool takes_water(const bodies::Bodies& bodies, int b) {
   const auto i = static_cast<std::size_t>(b);
-  if (bodies.shape[i]->kind == ShapeKind::plane) return false;
-  if (bodies.kind[i] == BodyKind::vessel) return true;
-  return bodies.is_free(b) && (bodies.kind[i] == BodyKind::floe || bodies.kind[i] == BodyKind::rigid);
+  if (bodies.shape[i]->kind == geometry::ShapeKind::plane) return false;
+  if (bodies.kind[i] == bodies::BodyKind::vessel) return true;
+  return bodies.is_free(b) && (bodies.kind[i] == bodies::BodyKind::floe || bodies.kind[i] == bodies::BodyKind::rigid);
 }
 
-WetGeometry prepare_geometry(const Shape& shape) {
+WetGeometry prepare_geometry(const geometry::Shape& shape) {
   switch (shape.kind) {
-    case ShapeKind::prism:
+    case geometry::ShapeKind::prism:
       return PrismWater(shape);
-    case ShapeKind::box:
-    case ShapeKind::cylinder:
-    case ShapeKind::mesh:
+    case geometry::ShapeKind::box:
+    case geometry::ShapeKind::cylinder:
+    case geometry::ShapeKind::mesh:
       return MeshWater(shape.surface);
-    case ShapeKind::sphere:
-    case ShapeKind::plane:
+    case geometry::ShapeKind::sphere:
+    case geometry::ShapeKind::plane:
       break;
   }
   return {};
 }
 
-}  // namespace nilas
+}  // namespace nilas::hydro

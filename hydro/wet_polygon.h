@@ -4,7 +4,7 @@
 #include "core/base/order_free_sum.h"
 #include "hydro/water_plane.h"
 
-namespace nilas {
+namespace nilas::hydro {
 
 /// Area and centroid of the part of a counter-clockwise polygon at heights < 0, clipped against one plane as Sutherland
 /// and Hodgman (1974) do. Add all corners, call close(), then read the results. Concave polygons are exact too: the
@@ -59,4 +59,4 @@ class WetPolygon {
   OrderFreeSum area_, moment_x_, moment_y_;
 };
 
-}  // namespace nilas
+}  // namespace nilas::hydro

@@ -7,7 +7,7 @@
 #include "core/geometry/shape.h"
 #include "hydro/water_plane.h"
 
-namespace nilas {
+namespace nilas::hydro {
 
 /// Submerged part of a solid below the water plane.
 struct Submerged {
@@ -16,7 +16,7 @@ struct Submerged {
 };
 /// The submerged part of a closed mesh with outward faces, given in the body frame, at the pose (R, p). It is exact at
 /// any attitude, also with vertices on the water plane. Throws InputError for a mesh without triangles.
-Submerged submerged_mesh(const TriangleMesh& mesh, const Mat3& R, const Vec3& p, double level);
+Submerged submerged_mesh(const geometry::TriangleMesh& mesh, const Mat3& R, const Vec3& p, double level);
 /// The submerged part of a sphere with its centre at p: a spherical cap, or the whole.
 Submerged submerged_sphere(double radius, const Vec3& p, double level);
 
@@ -28,14 +28,15 @@ struct WettedFace {
 };
 /// Appends to `out` the parts of all faces below the water plane. A face that lies in the water plane counts as wet
 /// only where the whole solid is below the plane. Throws InputError for a mesh without triangles.
-void wetted_faces(const TriangleMesh& mesh, const Mat3& R, const Vec3& p, double level, std::vector<WettedFace>& out);
+void wetted_faces(const geometry::TriangleMesh& mesh, const Mat3& R, const Vec3& p, double level,
+                  std::vector<WettedFace>& out);
 
 /// The geometry of a floe, prepared once. It has the outline's moments for the closed form that holds when the water
 /// plane cuts only the sides.
 class PrismWater {
  public:
   /// Takes a prism; throws ContractError for another shape.
-  explicit PrismWater(const Shape& prism);
+  explicit PrismWater(const geometry::Shape& prism);
   /// The submerged part, exact at any attitude. It needs no clipping when both caps are uncut.
   Submerged submerged(const Mat3& R, const Vec3& p, double level) const;
   /// Appends to `out` one face per wet cap and one per wet side. Separate wet parts of a concave cap count as one face.
@@ -69,7 +70,7 @@ class PrismWater {
   void visit_clipped(const Side& s, const WaterPlane& plane, const Visit& visit) const;
 
   std::vector<Side> sides_;
-  PolygonMoments moments_;
+  geometry::PolygonMoments moments_;
   double half_ = 0;   ///< half the thickness [m]
   double reach_ = 0;  ///< largest distance of an outline vertex from the axis [m]
 };
@@ -81,6 +82,6 @@ struct Waterplane {
   Vec2 centroid = Vec2::Zero();   ///< Centroid in G [m].
   double xx = 0, yy = 0, xy = 0;  ///< Integrals of x^2, y^2 and x y about the centroid, axes of G [m^4].
 };
-Waterplane waterplane(const TriangleMesh& mesh, const Mat3& R, const Vec3& p, double level);
+Waterplane waterplane(const geometry::TriangleMesh& mesh, const Mat3& R, const Vec3& p, double level);
 
-}  // namespace nilas
+}  // namespace nilas::hydro

@@ -18,7 +18,7 @@
 
 namespace {
 
-int run_action(const nilas::Action& action) {
+int run_action(const nilas::commands::Action& action) {
   try {
     return action();
   } catch (const nilas::SceneError& e) {
@@ -53,21 +53,21 @@ void leave(int) {
 /// printed, or after --help and --version.
 std::optional<int> read_words(CLI::App& app, const std::vector<std::string>& words) {
   const auto refuse = [](const std::string& fault) {
-    std::cerr << nilas::wrapped("error: " + fault, 0) << "\n";
+    std::cerr << nilas::output::wrapped("error: " + fault, 0) << "\n";
     return nilas::exit_bad_input;
   };
   if (words.empty()) {
     std::cerr << app.help();
     return nilas::exit_bad_input;
   }
-  if (const std::string fault = nilas::unknown_command(app, words); !fault.empty()) return refuse(fault);
+  if (const std::string fault = nilas::commands::unknown_command(app, words); !fault.empty()) return refuse(fault);
   try {
     app.parse(std::vector<std::string>(words.rbegin(), words.rend()));  // CLI11 takes the last word first
   } catch (const CLI::Success& e) {
     return app.exit(e);
   } catch (const CLI::ParseError& e) {
     // an option that is missing is often one that was misspelt
-    if (const std::string fault = nilas::unknown_word(app); !fault.empty()) return refuse(fault);
+    if (const std::string fault = nilas::commands::unknown_word(app); !fault.empty()) return refuse(fault);
     app.exit(e);
     return nilas::exit_bad_input;
   }
@@ -88,19 +88,19 @@ int main(int argc, char** argv) {
   CLI::App app{"Nilas simulates vessels and fixed structures in broken floating sea ice.", "nilas"};
   app.set_version_flag("--version", "nilas " NILAS_VERSION);
   app.require_subcommand(1);
-  app.formatter(std::make_shared<nilas::HelpText>());
-  nilas::Action action;
-  nilas::add_run(app, action);
-  nilas::add_check(app, action);
-  nilas::add_hull(app, action);
-  nilas::add_field(app, action);
-  nilas::add_solve(app, action);
-  nilas::add_solvers(app, action);
-  nilas::add_verify(app, action);
-  nilas::add_compare(app, action);
-  nilas::add_report(app, action);
-  nilas::add_problems(app, action);
-  nilas::add_schema(app, action);
-  if (const auto code = read_words(app, nilas::one_set_each({argv + 1, argv + argc}))) return *code;
+  app.formatter(std::make_shared<nilas::commands::HelpText>());
+  nilas::commands::Action action;
+  nilas::commands::add_run(app, action);
+  nilas::commands::add_check(app, action);
+  nilas::commands::add_hull(app, action);
+  nilas::commands::add_field(app, action);
+  nilas::commands::add_solve(app, action);
+  nilas::commands::add_solvers(app, action);
+  nilas::commands::add_verify(app, action);
+  nilas::commands::add_compare(app, action);
+  nilas::commands::add_report(app, action);
+  nilas::commands::add_problems(app, action);
+  nilas::commands::add_schema(app, action);
+  if (const auto code = read_words(app, nilas::commands::one_set_each({argv + 1, argv + argc}))) return *code;
   return run_action(action);
 }

@@ -4,7 +4,7 @@
 
 #include "core/base/error.h"
 
-namespace nilas {
+namespace nilas::report {
 
 double tick_step(double length, int at_most) {
   NILAS_DEMAND(std::isfinite(length) && length > 0 && at_most > 0);
@@ -16,4 +16,4 @@ double tick_step(double length, int at_most) {
   return 10 * decade;
 }
 
-}  // namespace nilas
+}  // namespace nilas::report

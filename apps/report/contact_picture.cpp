@@ -12,7 +12,7 @@
 #include "core/output/loads/ice_load_text.h"
 #include "core/output/text/fill_template.h"
 
-namespace nilas {
+namespace nilas::report {
 
 namespace {
 
@@ -152,7 +152,7 @@ Json panel(const ContactPictureInput& input, std::size_t v, std::size_t w, doubl
 
 std::string contact_picture_script(const ContactPictureInput& input) {
   constexpr double k_decades = 1e-3;
-  const ForceUnit unit = force_unit(strongest(input));
+  const output::ForceUnit unit = output::force_unit(strongest(input));
   const double scale_end = strongest(input) / unit.size, row_height = panel_height(input);
   const auto rows = static_cast<double>(input.rows.size());
   const double height = k_head + k_foot + rows * row_height + (rows - 1) * k_above_row;
@@ -180,7 +180,7 @@ std::string contact_picture_script(const ContactPictureInput& input) {
                   {"gap_across", k_gap},
                   {"gap_up", k_above_row / height},
                   {"panels", panels}};
-  return fill_template(report_template("contacts.gnuplot"), data, Escape::gnuplot);
+  return output::fill_template(report_template("contacts.gnuplot"), data, output::Escape::gnuplot);
 }
 
-}  // namespace nilas
+}  // namespace nilas::report

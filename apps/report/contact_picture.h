@@ -7,7 +7,7 @@
 #include "apps/report/picture_frame.h"
 #include "core/geometry/mesh.h"
 
-namespace nilas {
+namespace nilas::report {
 
 /// A row of the picture.
 struct PictureRow {
@@ -18,7 +18,7 @@ struct PictureRow {
 
 struct ContactPictureInput {
   std::string title;
-  std::vector<TriangleMesh> bodies;  ///< surfaces in the frame of the drawing [m]
+  std::vector<geometry::TriangleMesh> bodies;  ///< surfaces in the frame of the drawing [m]
   std::array<View, 3> views;
   PictureFrame frame;
   std::vector<PictureRow> rows;
@@ -29,4 +29,4 @@ struct ContactPictureInput {
 /// coloured by the force of one step, on a logarithmic scale that all rows share.
 std::string contact_picture_script(const ContactPictureInput& input);
 
-}  // namespace nilas
+}  // namespace nilas::report

@@ -7,7 +7,7 @@
 #include "core/base/error.h"
 #include "core/hdf5/hdf5_columns.h"
 
-namespace nilas {
+namespace nilas::report {
 
 namespace {
 
@@ -19,10 +19,10 @@ struct ContactColumns {
 };
 
 ContactColumns read_contacts(const std::filesystem::path& path, bool of_vessel) {
-  const Hdf5Reader file(path);
+  const hdf5::Hdf5Reader file(path);
   if (!file.has(of_vessel ? "contacts/hull_x_m" : "contacts/x_m") || !file.has("steps"))
     throw InputError(path.string() + ": the file holds no contacts of " + (of_vessel ? "a hull" : "bodies"));
-  const auto index = whole_blocks(file.wide_integers("steps"));
+  const auto index = hdf5::whole_blocks(file.wide_integers("steps"));
   const std::size_t rows = index.empty() ? 0 : static_cast<std::size_t>(index.back());
   const auto numbers = [&](const std::string& name) { return file.first_numbers("contacts/" + name, rows); };
   const std::string frame = of_vessel ? "hull_" : "";
@@ -43,7 +43,7 @@ ContactColumns read_contacts(const std::filesystem::path& path, bool of_vessel) 
   return c;
 }
 
-ContactWindow window_of(const ContactColumns& c, const DrawnBodies& drawn, const TimeScene& run, double t,
+ContactWindow window_of(const ContactColumns& c, const DrawnBodies& drawn, const scene::TimeScene& run, double t,
                         double half_width) {
   const auto is_drawn = [&](std::int64_t id) {
     return std::find(drawn.ids.begin(), drawn.ids.end(), id) != drawn.ids.end();
@@ -80,11 +80,12 @@ ContactWindow window_of(const ContactColumns& c, const DrawnBodies& drawn, const
 }  // namespace
 
 std::vector<ContactWindow> contact_windows(const std::filesystem::path& file, const DrawnBodies& drawn,
-                                           const TimeScene& run, const std::vector<double>& times, double half_width) {
+                                           const scene::TimeScene& run, const std::vector<double>& times,
+                                           double half_width) {
   const ContactColumns columns = read_contacts(file, drawn.is_vessel);
   std::vector<ContactWindow> windows;
   for (const double t : times) windows.push_back(window_of(columns, drawn, run, t, half_width));
   return windows;
 }
 
-}  // namespace nilas
+}  // namespace nilas::report

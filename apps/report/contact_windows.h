@@ -7,7 +7,7 @@
 #include "core/base/math.h"
 #include "core/scene/scene.h"
 
-namespace nilas {
+namespace nilas::report {
 
 /// A contact that carried a force in one step.
 struct ContactMark {
@@ -33,6 +33,7 @@ struct DrawnBodies {
 /// Reads the contacts of these bodies, one window per time [s]. Throws FileError. Throws InputError if the file holds
 /// no contacts of such bodies, or if no step lies in a window.
 std::vector<ContactWindow> contact_windows(const std::filesystem::path& file, const DrawnBodies& drawn,
-                                           const TimeScene& run, const std::vector<double>& times, double half_width);
+                                           const scene::TimeScene& run, const std::vector<double>& times,
+                                           double half_width);
 
-}  // namespace nilas
+}  // namespace nilas::report

@@ -11,7 +11,7 @@
 #include "core/output/loads/ice_load_text.h"
 #include "core/output/tables/contact_rows.h"
 
-namespace nilas {
+namespace nilas::report {
 
 namespace {
 
@@ -21,9 +21,9 @@ struct Choice {
   bool is_vessel = false;
 };
 
-Choice choose(const std::string& run, const Simulation& simulation, const std::string& name) {
-  const Bodies& bodies = simulation.bodies();
-  const LoadedBodies loaded = loaded_bodies(bodies, simulation.info());
+Choice choose(const std::string& run, const sim::Simulation& simulation, const std::string& name) {
+  const bodies::Bodies& bodies = simulation.bodies();
+  const output::LoadedBodies loaded = output::loaded_bodies(bodies, simulation.info());
   std::vector<std::size_t> candidates;
   if (loaded.vessel >= 0) candidates.push_back(static_cast<std::size_t>(loaded.vessel));
   for (const std::int64_t id : loaded.structures) candidates.push_back(bodies.index_of(id));
@@ -46,9 +46,9 @@ Choice choose(const std::string& run, const Simulation& simulation, const std::s
 }
 
 /// The surface of a body: a hull's in V, although its body has the centre of mass as origin, a structure's in G.
-TriangleMesh mesh_of(const Simulation& simulation, std::size_t b, bool is_vessel) {
-  const Bodies& bodies = simulation.bodies();
-  TriangleMesh mesh = bodies.shape[b]->surface;
+geometry::TriangleMesh mesh_of(const sim::Simulation& simulation, std::size_t b, bool is_vessel) {
+  const bodies::Bodies& bodies = simulation.bodies();
+  geometry::TriangleMesh mesh = bodies.shape[b]->surface;
   for (Vec3& p : mesh.vertices)
     p = is_vessel ? Vec3(p + simulation.info().vessel_mass.com) : Vec3(bodies.p_GB[b] + bodies.R_GB[b] * p);
   return mesh;
@@ -95,7 +95,7 @@ class VesselRows {
 /// A component of a load as text. It is given as 0 where it is negligible, because rounding leaves such values.
 std::string part_text(double part, const Vec3& load) {
   constexpr double k_nothing = 1e-4;
-  return force_text(std::abs(part) < k_nothing * load.norm() ? 0 : part);
+  return output::force_text(std::abs(part) < k_nothing * load.norm() ? 0 : part);
 }
 
 std::string vessel_loads(const VesselRows& rows, const ContactWindow& window, double step) {
@@ -108,13 +108,13 @@ std::string vessel_loads(const VesselRows& rows, const ContactWindow& window, do
 std::string structure_loads(const Vec2& course, const Vec3& force) {
   const Vec2 horizontal = force.head<2>();
   return fmt::format("mean load {} along, {} across the drift, {} up", part_text(-horizontal.dot(course), force),
-                     part_text(horizontal.dot(to_port(course)), force), part_text(force.z(), force));
+                     part_text(horizontal.dot(sim::to_port(course)), force), part_text(force.z(), force));
 }
 
 }  // namespace
 
-ContactPictureInput contact_picture(const std::filesystem::path& run_folder, const Scene& scene,
-                                    const Simulation& simulation, const std::string& body,
+ContactPictureInput contact_picture(const std::filesystem::path& run_folder, const scene::Scene& scene,
+                                    const sim::Simulation& simulation, const std::string& body,
                                     const std::vector<double>& times, double half_width,
                                     std::vector<std::string>& notes) {
   const Choice choice = choose(run_folder.string(), simulation, body);
@@ -122,7 +122,7 @@ ContactPictureInput contact_picture(const std::filesystem::path& run_folder, con
     throw InputError(run_folder.string() +
                      ": the run stored no contacts; set <output contacts=\"hull\"> and run it "
                      "again");
-  const RunInfo& info = simulation.info();
+  const sim::RunInfo& info = simulation.info();
   const Vec3& com_V = info.vessel_mass.com;
   ContactPictureInput picture;
   DrawnBodies drawn{.ids = {}, .is_vessel = choice.is_vessel};
@@ -164,4 +164,4 @@ ContactPictureInput contact_picture(const std::filesystem::path& run_folder, con
   return picture;
 }
 
-}  // namespace nilas
+}  // namespace nilas::report

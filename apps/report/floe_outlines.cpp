@@ -11,7 +11,7 @@
 #include "core/base/error.h"
 #include "core/output/vtk/vtp_array.h"
 
-namespace nilas {
+namespace nilas::report {
 
 namespace {
 
@@ -39,7 +39,7 @@ std::vector<Number> values_of(const Element* parent, const char* name, const cha
   while (array != nullptr && !array->Attribute("Name", name)) array = array->NextSiblingElement("DataArray");
   if (array == nullptr || !array->Attribute("type", type) || array->GetText() == nullptr)
     throw InputError(std::string("the file holds no ") + type + " array " + name);
-  const std::string bytes = array_bytes(array->GetText());
+  const std::string bytes = output::array_bytes(array->GetText());
   std::vector<Number> values(bytes.size() / sizeof(Number));
   std::memcpy(values.data(), bytes.data(), values.size() * sizeof(Number));
   return values;
@@ -97,4 +97,4 @@ std::optional<IceFrame> ice_near(const std::filesystem::path& run_folder, double
   return frame;
 }
 
-}  // namespace nilas
+}  // namespace nilas::report

@@ -6,7 +6,7 @@
 
 #include "core/base/math.h"
 
-namespace nilas {
+namespace nilas::report {
 
 struct IceFrame {
   double t = 0;                             ///< time of the frame [s]
@@ -17,4 +17,4 @@ struct IceFrame {
 /// FileError or InputError for a file that cannot be read.
 std::optional<IceFrame> ice_near(const std::filesystem::path& run_folder, double t);
 
-}  // namespace nilas
+}  // namespace nilas::report

@@ -6,18 +6,18 @@
 
 #include "core/geometry/edge_cut.h"
 
-namespace nilas {
+namespace nilas::report {
 
 namespace {
 
-Vec3 normal_of(const TriangleMesh& mesh, const std::array<int, 3>& triangle) {
+Vec3 normal_of(const geometry::TriangleMesh& mesh, const std::array<int, 3>& triangle) {
   const auto corner = [&](int k) { return mesh.vertices[triangle[k]]; };
   return (corner(1) - corner(0)).cross(corner(2) - corner(0)).normalized();
 }
 
 }  // namespace
 
-std::vector<Segment> visible_lines(const TriangleMesh& mesh, const Vec3& from) {
+std::vector<Segment> visible_lines(const geometry::TriangleMesh& mesh, const Vec3& from) {
   constexpr double k_sharp = 20 * k_deg, k_edge_on = 1e-6;
   std::map<std::pair<int, int>, Vec3> first_side;  // normal of the triangle met first
   std::vector<Segment> lines;
@@ -36,17 +36,17 @@ std::vector<Segment> visible_lines(const TriangleMesh& mesh, const Vec3& from) {
   return lines;
 }
 
-std::vector<Segment> waterline(const TriangleMesh& mesh, double level) {
+std::vector<Segment> waterline(const geometry::TriangleMesh& mesh, double level) {
   std::vector<Segment> lines;
   for (const auto& triangle : mesh.triangles) {
     std::vector<Vec3> cut;
     for (std::size_t k = 0; k < 3; ++k) {
       const Vec3 &a = mesh.vertices[triangle[k]], &b = mesh.vertices[triangle[(k + 1) % 3]];
-      if (const auto point = edge_cut(a, b, level)) cut.push_back(*point);
+      if (const auto point = geometry::edge_cut(a, b, level)) cut.push_back(*point);
     }
     if (cut.size() == 2) lines.push_back({cut[0], cut[1]});
   }
   return lines;
 }
 
-}  // namespace nilas
+}  // namespace nilas::report

@@ -5,15 +5,15 @@
 #include <algorithm>
 #include <cmath>
 
-namespace nilas {
+namespace nilas::report {
 
 namespace {
 
 constexpr double k_margin = 0.12, k_margin_along = 0.03;  // shares of what is shown
 
-std::array<AxisExtent, 3> extents(const std::vector<TriangleMesh>& meshes) {
+std::array<AxisExtent, 3> extents(const std::vector<geometry::TriangleMesh>& meshes) {
   std::array<AxisExtent, 3> axes;
-  for (const TriangleMesh& mesh : meshes)
+  for (const geometry::TriangleMesh& mesh : meshes)
     for (const Vec3& p : mesh.vertices)
       for (std::size_t k = 0; k < axes.size(); ++k) axes[k].add(p[static_cast<Eigen::Index>(k)]);
   return axes;
@@ -56,7 +56,7 @@ std::array<View, 3> structure_views(const Vec2& course) {
   return {elevation(along_x), View{"plan", 0, 1, false, Vec3::UnitZ()}, elevation(!along_x)};
 }
 
-PictureFrame hull_frame(const TriangleMesh& hull, const std::vector<ContactWindow>& windows) {
+PictureFrame hull_frame(const geometry::TriangleMesh& hull, const std::vector<ContactWindow>& windows) {
   constexpr double k_least_share = 0.4;
   PictureFrame frame{.axes = extents({hull}), .left_out = ""};
   AxisExtent& x = frame.axes[0];
@@ -73,8 +73,8 @@ PictureFrame hull_frame(const TriangleMesh& hull, const std::vector<ContactWindo
   return frame;
 }
 
-PictureFrame structure_frame(const std::vector<TriangleMesh>& structures, const std::vector<ContactWindow>& windows,
-                             double water_level) {
+PictureFrame structure_frame(const std::vector<geometry::TriangleMesh>& structures,
+                             const std::vector<ContactWindow>& windows, double water_level) {
   PictureFrame frame{.axes = extents(structures), .left_out = ""};
   const double plan = std::max(frame.axes[0].width(), frame.axes[1].width());
   AxisExtent& z = frame.axes[2];
@@ -93,4 +93,4 @@ PictureFrame structure_frame(const std::vector<TriangleMesh>& structures, const 
   return frame;
 }
 
-}  // namespace nilas
+}  // namespace nilas::report

@@ -8,7 +8,7 @@
 #include "apps/report/contact_windows.h"
 #include "core/geometry/mesh.h"
 
-namespace nilas {
+namespace nilas::report {
 
 /// A view along an axis of the drawing's frame.
 struct View {
@@ -38,9 +38,9 @@ struct PictureFrame {
 
 /// The frame of a hull: from the aftmost contact to the bow, and at least two fifths of the length; without contacts
 /// the whole hull.
-PictureFrame hull_frame(const TriangleMesh& hull, const std::vector<ContactWindow>& windows);
+PictureFrame hull_frame(const geometry::TriangleMesh& hull, const std::vector<ContactWindow>& windows);
 /// The frame of structures: all of the plan, and of high structures the heights around `water_level` [m] and contacts.
-PictureFrame structure_frame(const std::vector<TriangleMesh>& structures, const std::vector<ContactWindow>& windows,
-                             double water_level);
+PictureFrame structure_frame(const std::vector<geometry::TriangleMesh>& structures,
+                             const std::vector<ContactWindow>& windows, double water_level);
 
-}  // namespace nilas
+}  // namespace nilas::report

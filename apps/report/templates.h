@@ -3,9 +3,9 @@
 #include <string>
 #include <string_view>
 
-namespace nilas {
+namespace nilas::report {
 
 /// The text of a template by its file name. Throws ContractError for one that does not exist.
 std::string_view report_template(std::string_view name);
 
-}  // namespace nilas
+}  // namespace nilas::report

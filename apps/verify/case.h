@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace nilas {
+namespace nilas::verify {
 
 /// The law, solver, integrator and step of one run.
 struct Model {
@@ -71,4 +71,4 @@ std::string family_title(char family);
 /// Returns all cases, sorted by number.
 const std::vector<Case>& catalogue();
 
-}  // namespace nilas
+}  // namespace nilas::verify

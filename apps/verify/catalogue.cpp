@@ -3,7 +3,7 @@
 #include "apps/verify/families.h"
 #include "core/base/error.h"
 
-namespace nilas {
+namespace nilas::verify {
 
 std::string family_title(char family) {
   switch (family) {
@@ -41,4 +41,4 @@ const std::vector<Case>& catalogue() {
   return all;
 }
 
-}  // namespace nilas
+}  // namespace nilas::verify

@@ -3,7 +3,7 @@
 #include "apps/verify/setting.h"
 #include "apps/verify/table.h"
 
-namespace nilas {
+namespace nilas::verify {
 
 namespace {
 
@@ -101,4 +101,4 @@ std::string catalogue_markdown() {
   return text + k_absent;
 }
 
-}  // namespace nilas
+}  // namespace nilas::verify

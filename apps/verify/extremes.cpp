@@ -11,7 +11,7 @@
 #include "contact/registry.h"
 #include "core/base/error.h"
 
-namespace nilas {
+namespace nilas::verify {
 
 namespace {
 
@@ -36,7 +36,7 @@ class Watch {
   }
   void steps(long count) {
     for (long k = 0; k < count; ++k) {
-      const StepRecord& record = run_.step();
+      const sim::StepRecord& record = run_.step();
       cell_.short_steps += record.solver_short ? 1 : 0;
       cell_.residual = larger(cell_.residual, record.residuals.law_map_m_s);
       imbalance_ = larger(imbalance_, record.momentum_imbalance);
@@ -68,7 +68,7 @@ struct Extreme {
   std::vector<std::string> solvers{};  ///< empty: all but enumerate
 };
 
-Overrides settled() { return {{"contact/@stabilisation", "projection"}}; }
+scene::Overrides settled() { return {{"contact/@stabilisation", "projection"}}; }
 
 void mass_ratio(const Setting& s, double level, Cell& cell) {
   Trial run = s.trial(of("heavy", "mass", level) + settled());
@@ -79,7 +79,7 @@ void mass_ratio(const Setting& s, double level, Cell& cell) {
 }
 
 void step_length(const Setting& s, double level, Cell& cell) {
-  Trial run = s.trial(settled() + Overrides{{"time/@step", text(level)}});
+  Trial run = s.trial(settled() + scene::Overrides{{"time/@step", text(level)}});
   Watch watch(run, cell, 0.5 * 2 * 4);
   watch.steps(std::clamp(static_cast<long>(2 / level), 10L, 2000L));
   watch.penetration(0.2);
@@ -132,7 +132,7 @@ void speed(const Setting& s, double level, Cell& cell) {
 
 void short_edge(const Setting& s, double level, Cell& cell) {
   const std::string outline = fmt::format("0 0 {} 0 1 {} 1 1 0 1", 1 - level, level);
-  Trial run = s.trial(Overrides{{"ice/floe[1]/@outline", outline}});
+  Trial run = s.trial(scene::Overrides{{"ice/floe[1]/@outline", outline}});
   Watch watch(run, cell, 0.5 * 180 * 1.04);
   watch.steps(50);
   watch.penetration(1);
@@ -151,7 +151,7 @@ void offset(const Setting& s, double level, Cell& cell) {
 }
 
 void stack(const Setting& s, double level, Cell& cell) {
-  Trial run = s.trial(Overrides{{"gravity/@value", text(Vec3(0, 0, -level))}});
+  Trial run = s.trial(scene::Overrides{{"gravity/@value", text(Vec3(0, 0, -level))}});
   Watch watch(run, cell, 2 * level);
   watch.steps(20);
   watch.penetration(1);
@@ -230,8 +230,8 @@ void rest(const Setting& s, double level, Cell& cell) {
 }
 
 void load_cells(const Setting& s, double level, Cell& cell) {
-  Trial run = s.trial(settled() + Overrides{{"vessel/carriage/force_balance/@stiffness", text(level)},
-                                            {"vessel/carriage/force_balance/@damping", text(1e-3 * level)}});
+  Trial run = s.trial(settled() + scene::Overrides{{"vessel/carriage/force_balance/@stiffness", text(level)},
+                                                   {"vessel/carriage/force_balance/@damping", text(1e-3 * level)}});
   const double given = 0.5 * 115 * 0.25;
   Watch watch(run, cell, given);
   watch.steps(100);
@@ -323,7 +323,7 @@ std::vector<Cell> run_extremes(const Selection& selection, int threads, const st
     if (std::find(names.begin(), names.end(), wanted) == names.end())
       throw InputError("--case: found '" + wanted + "', allowed with --extremes: '" +
                        fmt::format("{}", fmt::join(names, "'; '")) + "'");
-  for (const auto& name : selection.solvers) find_solver(name);
+  for (const auto& name : selection.solvers) contact::find_solver(name);
   const auto chosen = [](const std::vector<std::string>& list, const std::string& name) {
     return list.empty() || std::find(list.begin(), list.end(), name) != list.end();
   };
@@ -336,7 +336,7 @@ std::vector<Cell> run_extremes(const Selection& selection, int threads, const st
   for (const auto& extreme : extremes()) {
     if (!chosen(selection.cases, extreme.name)) continue;
     for (const double level : extreme.levels)
-      for (const auto& solver : solver_registry()) {
+      for (const auto& solver : contact::solver_registry()) {
         // The solver enumerate is an oracle for a few points and too slow for runs.
         if (solver.name == "enumerate" || !chosen(selection.solvers, solver.name) ||
             !chosen(extreme.solvers, solver.name))
@@ -357,4 +357,4 @@ std::vector<Cell> run_extremes(const Selection& selection, int threads, const st
   return cells;
 }
 
-}  // namespace nilas
+}  // namespace nilas::verify

@@ -8,7 +8,7 @@
 
 #include "apps/verify/verdicts.h"
 
-namespace nilas {
+namespace nilas::verify {
 
 /// The verdict on a run.
 /// holds: It keeps all limits.
@@ -46,4 +46,4 @@ std::string extremes_csv(const std::vector<Cell>& cells);
 /// Writes extremes.csv, extremes.png and extremes.svg. Throws FileError.
 void write_extremes(const std::filesystem::path& folder, const std::vector<Cell>& cells);
 
-}  // namespace nilas
+}  // namespace nilas::verify

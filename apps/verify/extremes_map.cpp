@@ -10,7 +10,7 @@
 #include "core/output/text/fill_template.h"
 #include "core/output/text/plot.h"
 
-namespace nilas {
+namespace nilas::verify {
 
 namespace {
 
@@ -140,7 +140,7 @@ void write_extremes(const std::filesystem::path& folder, const std::vector<Cell>
       {"formats",
        {{{"kind", "svg"}, {"terminal", "svg size 1000,1150 font 'sans,12' background '#ffffff'"}},
         {{"kind", "png"}, {"terminal", "pngcairo size 1250,1440 font 'sans,12'"}}}}};
-  plot(folder, fill_template(verify_template("extremes.gnuplot"), data, Escape::gnuplot));
+  output::plot(folder, output::fill_template(verify_template("extremes.gnuplot"), data, output::Escape::gnuplot));
 }
 
-}  // namespace nilas
+}  // namespace nilas::verify

@@ -5,7 +5,7 @@
 
 #include "apps/verify/case.h"
 
-namespace nilas {
+namespace nilas::verify {
 
 std::vector<Case> point_friction();
 std::vector<Case> rolling();
@@ -47,4 +47,4 @@ class FamilyOfCases {
   std::vector<Case> cases_;
 };
 
-}  // namespace nilas
+}  // namespace nilas::verify

@@ -7,7 +7,7 @@
 #include <thread>
 #include <vector>
 
-namespace nilas {
+namespace nilas::verify {
 
 /// Calls work(k) once for each k in [0, count), in any order. The calling thread calls `done` with the share of jobs
 /// that has begun. After an exception no further job begins, and the first exception is thrown again.
@@ -34,4 +34,4 @@ void run_jobs(std::size_t count, int threads, const Work& work, const std::funct
   if (failure) std::rethrow_exception(failure);
 }
 
-}  // namespace nilas
+}  // namespace nilas::verify

@@ -9,7 +9,7 @@
 #include "apps/verify/scene_changes.h"
 #include "core/base/error.h"
 
-namespace nilas {
+namespace nilas::verify {
 
 namespace {
 
@@ -20,7 +20,7 @@ Case scene_case(const std::string& scene) {
   return one;
 }
 
-Trial trial(const std::string& scene, const Model& model, const Overrides& changes) {
+Trial trial(const std::string& scene, const Model& model, const scene::Overrides& changes) {
   const Case one = scene_case(scene);
   return Setting(one, model, {}).trial(changes);
 }
@@ -50,7 +50,7 @@ void add_gyroscopic(std::vector<Limitation>& all) {
   const auto lost = [&](const std::string& kept) {
     Trial run = trial("top.xml", {},
                       of("top", "inertia", text(moments) + " 0 0 0") + of("top", "angular_velocity", w) +
-                          Overrides{{"contact/@gyroscopic", kept}});
+                          scene::Overrides{{"contact/@gyroscopic", kept}});
     run.run(1000);
     const BodyState top = run.body("top");
     const Vec3 start = moments.cwiseProduct(w);
@@ -62,10 +62,10 @@ void add_gyroscopic(std::vector<Limitation>& all) {
 
 void add_static_friction(std::vector<Limitation>& all) {
   const auto speed = [&](double held) {
-    Trial run =
-        trial("block.xml", {},
-              of("block", "velocity", "0 0 0") + gravity({0.35 * k_gravity, 0, -k_gravity}) +
-                  Overrides{{"contact/friction[1]/@static", text(held)}, {"contact/friction[1]/@kinetic", "0.3"}});
+    Trial run = trial(
+        "block.xml", {},
+        of("block", "velocity", "0 0 0") + gravity({0.35 * k_gravity, 0, -k_gravity}) +
+            scene::Overrides{{"contact/friction[1]/@static", text(held)}, {"contact/friction[1]/@kinetic", "0.3"}});
     run.run(50);
     return run.body("block").v.x();
   };
@@ -80,7 +80,7 @@ void add_rolling(std::vector<Limitation>& all) {
     Trial run = trial("ball.xml", {},
                       of("ball", "velocity", Vec3(k_start, 0, 0)) +
                           of("ball", "angular_velocity", Vec3(0, k_start / k_ball_radius, 0)) + friction(0.5) +
-                          Overrides{{"contact/friction[1]/@rolling", text(length)}});
+                          scene::Overrides{{"contact/friction[1]/@rolling", text(length)}});
     run.run(k_steps);
     return run.body("ball").v.x();
   };
@@ -94,7 +94,7 @@ void add_split_impulse(std::vector<Limitation>& all) {
   const auto depth = [&](const std::string& stabilisation) {
     Trial run = trial("block.xml", {},
                       of("block", "velocity", "0 0 0") + of("block", "position", "0 0 0.099") +
-                          Overrides{{"contact/@stabilisation", stabilisation}, {"contact/@tolerance", "1e-9"}});
+                          scene::Overrides{{"contact/@stabilisation", stabilisation}, {"contact/@tolerance", "1e-9"}});
     run.run(100);
     return std::max(0.0, 0.1 - run.body("block").p.z());
   };
@@ -103,13 +103,13 @@ void add_split_impulse(std::vector<Limitation>& all) {
 }
 
 void add_fixed_sweeps(std::vector<Limitation>& all) {
-  const auto sunk = [&](const Model& model, const Overrides& more) {
+  const auto sunk = [&](const Model& model, const scene::Overrides& more) {
     Trial run = trial("heavy-on-light.xml", model,
-                      of("heavy", "mass", 100.0) + Overrides{{"contact/@stabilisation", "none"}} + more);
+                      of("heavy", "mass", 100.0) + scene::Overrides{{"contact/@stabilisation", "none"}} + more);
     run.run(100);
     return run.last().penetration_max;
   };
-  const Overrides sweeps{
+  const scene::Overrides sweeps{
       {"contact/@tolerance", "0"}, {"contact/@max_iterations", "50"}, {"contact/@warm_start", "false"}};
   all.push_back({"50 sweeps of projected Gauss-Seidel (`solver=\"pgs\"`) instead of a tolerance",
                  "penetration after 1 s [m]", "`heavy-on-light.xml`, 100 kg on 1 kg", sunk({"pyramid", "pgs"}, sweeps),
@@ -124,12 +124,12 @@ void add_discrete_detection(std::vector<Limitation>& all) {
   const auto below = [&](const std::string& detection) {
     Trial run = trial("ball.xml", {},
                       of("ball", "radius", 0.05) + of("ball", "position", "0 0 0.35") +
-                          of("ball", "velocity", "0 0 -40") + Overrides{{"contact/@detection", detection}});
+                          of("ball", "velocity", "0 0 -40") + scene::Overrides{{"contact/@detection", detection}});
     run.run(5);
     return std::max(0.0, 0.05 - run.body("ball").p.z());
   };
   const auto speed = [&](const std::string& detection) {
-    Trial run = trial("bullet.xml", {}, Overrides{{"contact/@detection", detection}});
+    Trial run = trial("bullet.xml", {}, scene::Overrides{{"contact/@detection", detection}});
     run.run(5);
     return run.body("target").v.x();
   };
@@ -152,9 +152,9 @@ struct PlateContact {
 /// Takes one step of plates.xml. The upper plate is displaced from the lower one by `off_centre` along X and `up` along
 /// Z [m].
 PlateContact plate_contact(const std::string& narrow_phase, double off_centre, double up) {
-  Trial run =
-      trial("plates.xml", {},
-            of("upper", "position", Vec3(off_centre, 0, up)) + Overrides{{"contact/@narrow_phase", narrow_phase}});
+  Trial run = trial(
+      "plates.xml", {},
+      of("upper", "position", Vec3(off_centre, 0, up)) + scene::Overrides{{"contact/@narrow_phase", narrow_phase}});
   run.run(1);
   const std::vector<Touch> touches = run.touches();
   const auto deepest =
@@ -194,7 +194,7 @@ void add_time_of_fcl(std::vector<Limitation>& all) {
   const auto time = [&](const std::string& narrow_phase) {
     Trial run = trial("column.xml", {}, {{"contact/@narrow_phase", narrow_phase}});
     double sum = 0;
-    for (long k = 0; k < k_steps; ++k) sum += run.step().ms[static_cast<std::size_t>(Phase::detection)];
+    for (long k = 0; k < k_steps; ++k) sum += run.step().ms[static_cast<std::size_t>(sim::Phase::detection)];
     return sum;
   };
   double fcl = time("fcl"), exact = time("nilas");
@@ -270,4 +270,4 @@ std::string limitations_markdown(const std::vector<Limitation>& all) {
   return page;
 }
 
-}  // namespace nilas
+}  // namespace nilas::verify

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace nilas {
+namespace nilas::verify {
 
 /// A number measured with and without a simplification.
 struct Limitation {
@@ -21,4 +21,4 @@ std::vector<Limitation> limitations();
 /// Ratios of times have two digits and differ from run to run.
 std::string limitations_markdown(const std::vector<Limitation>& all);
 
-}  // namespace nilas
+}  // namespace nilas::verify

@@ -15,7 +15,7 @@
 #include "core/output/text/html.h"
 #include "core/output/text/plot.h"
 
-namespace nilas {
+namespace nilas::verify {
 
 namespace {
 
@@ -59,7 +59,7 @@ std::string family_script(char family, const std::vector<const Row*>& rows) {
       {"formats",
        {{{"kind", "svg"}, {"terminal", "svg size 960,380 font 'sans,12' background '#ffffff'"}},
         {{"kind", "png"}, {"terminal", "pngcairo size 1440,570 font 'sans,14'"}}}}};
-  return fill_template(verify_template("family.gnuplot"), data, Escape::gnuplot);
+  return output::fill_template(verify_template("family.gnuplot"), data, output::Escape::gnuplot);
 }
 
 std::string family_table(const std::vector<const Row*>& rows) {
@@ -70,10 +70,10 @@ std::string family_table(const std::vector<const Row*>& rows) {
     html += fmt::format(
         "<tr class='{}'><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{:g}</td><td>{:.9g}</td>"
         "<td>{:.9g}</td><td>{:.1e}</td><td>{:.1e}</td><td>{}</td><td>{}</td></tr>\n",
-        row->holds ? "holds" : "fails", row->id, html_text(row->quantity), html_text(row->input), row->model.law,
-        row->model.solver, row->model.integrator, row->model.step, row->measured, row->expected, row->error,
-        row->tolerance, row->proven_order > 0 ? fmt::format("{:.2f}", row->order) : "",
-        row->holds ? "holds" : "FAILS " + html_text(row->message));
+        row->holds ? "holds" : "fails", row->id, output::html_text(row->quantity), output::html_text(row->input),
+        row->model.law, row->model.solver, row->model.integrator, row->model.step, row->measured, row->expected,
+        row->error, row->tolerance, row->proven_order > 0 ? fmt::format("{:.2f}", row->order) : "",
+        row->holds ? "holds" : "FAILS " + output::html_text(row->message));
   return html + "</table>\n";
 }
 
@@ -89,16 +89,17 @@ void write_page(const std::filesystem::path& folder, const std::vector<Row>& row
       "law, "
       "solver and integrator. Its error is |measured - expected| over the scale of the quantity. In the pictures each "
       "mark is a row, and the bar at its place is the allowed error. Errors of zero lie at the lower edge.</p>\n",
-      k_page_style, rows.size(), failed);
+      output::k_page_style, rows.size(), failed);
   for (const auto& [family, own] : families) {
-    plot(folder, family_script(family, own));
+    output::plot(folder, family_script(family, own));
     html += fmt::format("<h2>{} {}</h2>\n", family, family_title(family));
-    html += inline_svg(folder / fmt::format("family-{}.svg", family));
+    html += output::inline_svg(folder / fmt::format("family-{}.svg", family));
     html += "<ul>";
     for (const auto& one : catalogue()) {
       const bool shown = std::any_of(own.begin(), own.end(), [&](const Row* row) { return row->id == one.id(); });
       if (shown)
-        html += fmt::format("<li><b>{}</b> {}: {}</li>\n", one.id(), html_text(one.title), html_text(one.formula));
+        html += fmt::format("<li><b>{}</b> {}: {}</li>\n", one.id(), output::html_text(one.title),
+                            output::html_text(one.formula));
     }
     html += fmt::format("</ul><details{}><summary>{} rows</summary>{}</details>\n", failed > 0 ? " open" : "",
                         own.size(), family_table(own));
@@ -109,4 +110,4 @@ void write_page(const std::filesystem::path& folder, const std::vector<Row>& row
   if (!out.flush()) throw FileError("cannot write " + (folder / "verify.html").string());
 }
 
-}  // namespace nilas
+}  // namespace nilas::verify

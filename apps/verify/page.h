@@ -5,10 +5,10 @@
 
 #include "apps/verify/verdicts.h"
 
-namespace nilas {
+namespace nilas::verify {
 
 /// Writes verify.html, which contains its pictures, and beside it family-A.svg, family-A.png and so on. Throws
 /// FileError if a file cannot be written.
 void write_page(const std::filesystem::path& folder, const std::vector<Row>& rows);
 
-}  // namespace nilas
+}  // namespace nilas::verify

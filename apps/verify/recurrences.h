@@ -4,7 +4,7 @@
 
 #include "core/base/math.h"
 
-namespace nilas {
+namespace nilas::verify {
 
 /// Returns the displacement [m] after n steps of a body whose velocity [m/s] is velocity(0) at the start and
 /// velocity(k) at the end of step k.
@@ -27,4 +27,4 @@ inline double stopping_distance(double speed, double change, double h, double th
   return distance;
 }
 
-}  // namespace nilas
+}  // namespace nilas::verify

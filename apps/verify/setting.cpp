@@ -6,7 +6,7 @@
 
 #include "core/base/error.h"
 
-namespace nilas {
+namespace nilas::verify {
 
 std::filesystem::path verify_scenes() {
   const std::filesystem::path source = NILAS_SCENES "/verify";
@@ -32,20 +32,20 @@ double Setting::operator[](const std::string& input) const {
 
 long Setting::steps(double time) const { return std::lround(time / h()); }
 
-Trial Setting::trial(const Overrides& overrides, int threads) const {
+Trial Setting::trial(const scene::Overrides& overrides, int threads) const {
   return trial_of(case_.scene, overrides, threads);
 }
 
-Trial Setting::trial_of(const std::string& scene, const Overrides& overrides, int threads) const {
-  Overrides all{{"time/@step", text(h())},
-                {"time/@end", "1e9"},
-                {"contact/@law", model_.law},
-                {"contact/@solver", model_.solver},
-                {"contact/@integrator", model_.integrator},
-                {"contact/@tolerance", text(case_.contact_tolerance)},
-                {"contact/@max_iterations", std::to_string(case_.contact_iterations)}};
+Trial Setting::trial_of(const std::string& scene, const scene::Overrides& overrides, int threads) const {
+  scene::Overrides all{{"time/@step", text(h())},
+                       {"time/@end", "1e9"},
+                       {"contact/@law", model_.law},
+                       {"contact/@solver", model_.solver},
+                       {"contact/@integrator", model_.integrator},
+                       {"contact/@tolerance", text(case_.contact_tolerance)},
+                       {"contact/@max_iterations", std::to_string(case_.contact_iterations)}};
   all.insert(all.end(), overrides.begin(), overrides.end());
-  return Trial(read_scene(verify_scenes() / scene, all), threads);
+  return Trial(scene::read_scene(verify_scenes() / scene, all), threads);
 }
 
-}  // namespace nilas
+}  // namespace nilas::verify

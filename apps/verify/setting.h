@@ -7,7 +7,7 @@
 #include "apps/verify/trial.h"
 #include "core/scene/read/read_scene.h"
 
-namespace nilas {
+namespace nilas::verify {
 
 /// Returns the folder with the scenes of the cases. Throws FileError that names the folders that were tried.
 std::filesystem::path verify_scenes();
@@ -30,9 +30,9 @@ class Setting {
   long steps(double time) const;
 
   /// Returns a run of the case's scene with the model's choices and with `overrides`, as --set takes them.
-  Trial trial(const Overrides& overrides, int threads = 1) const;
+  Trial trial(const scene::Overrides& overrides, int threads = 1) const;
   /// Returns a run of another scene file with the same choices.
-  Trial trial_of(const std::string& scene, const Overrides& overrides, int threads = 1) const;
+  Trial trial_of(const std::string& scene, const scene::Overrides& overrides, int threads = 1) const;
 
  private:
   const Case& case_;
@@ -40,4 +40,4 @@ class Setting {
   std::map<std::string, double> inputs_;
 };
 
-}  // namespace nilas
+}  // namespace nilas::verify

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <tuple>
 
-namespace nilas {
+namespace nilas::verify {
 
 namespace {
 
@@ -131,4 +131,4 @@ std::string catalogue_text() {
   return text;
 }
 
-}  // namespace nilas
+}  // namespace nilas::verify

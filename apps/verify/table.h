@@ -6,7 +6,7 @@
 
 #include "apps/verify/verdicts.h"
 
-namespace nilas {
+namespace nilas::verify {
 
 /// Returns a table within 80 columns. Under each quantity of a case it has a line per law and integrator, which shows
 /// the solver nearest to its limit.
@@ -25,4 +25,4 @@ std::string catalogue_text();
 /// Whether every row holds.
 bool all_hold(const std::vector<Row>& rows);
 
-}  // namespace nilas
+}  // namespace nilas::verify

@@ -4,22 +4,22 @@
 
 #include "core/base/error.h"
 
-namespace nilas {
+namespace nilas::verify {
 
-Trial::Trial(const Scene& scene, int threads)
+Trial::Trial(const scene::Scene& scene, int threads)
     : warnings_(std::make_unique<WarningCounts>(make_logger("off", ""))),
-      simulation_(std::make_unique<Simulation>(scene, threads, *warnings_)),
+      simulation_(std::make_unique<sim::Simulation>(scene, threads, *warnings_)),
       h_(scene.time.step),
       initial_(simulation_->initial_ledger()) {}
 
-const StepRecord& Trial::step() { return last_ = simulation_->step(); }
+const sim::StepRecord& Trial::step() { return last_ = simulation_->step(); }
 
 void Trial::run(long steps) {
   for (long k = 0; k < steps; ++k) step();
 }
 
 BodyState Trial::body(const std::string& name) const {
-  const Bodies& bodies = simulation_->bodies();
+  const bodies::Bodies& bodies = simulation_->bodies();
   const auto found = std::find(bodies.name.begin(), bodies.name.end(), name);
   NILAS_DEMAND(found != bodies.name.end());
   const auto b = static_cast<std::size_t>(found - bodies.name.begin());
@@ -28,11 +28,11 @@ BodyState Trial::body(const std::string& name) const {
 }
 
 std::vector<Touch> Trial::touches() const {
-  const Bodies& bodies = simulation_->bodies();
-  const SolvedProblem& solved = simulation_->last_problem();
+  const bodies::Bodies& bodies = simulation_->bodies();
+  const contact::SolvedProblem& solved = simulation_->last_problem();
   std::vector<Touch> all;
   for (std::size_t i = 0; i < solved.points.size(); ++i) {
-    const ContactPoint& c = solved.points[i];
+    const detect::ContactPoint& c = solved.points[i];
     all.push_back({bodies.name[c.a], bodies.name[c.b], c.p, c.n, c.gap, solved.impulses[i] / h_});
   }
   return all;
@@ -56,4 +56,4 @@ Vec3 Trial::force_between(const std::string& by, const std::string& on) const {
   return sum;
 }
 
-}  // namespace nilas
+}  // namespace nilas::verify

@@ -7,7 +7,7 @@
 #include "core/base/log.h"
 #include "core/sim/simulation.h"
 
-namespace nilas {
+namespace nilas::verify {
 
 /// The state of a body at the end of the last step.
 struct BodyState {
@@ -28,14 +28,14 @@ struct Touch {
 /// A run that takes its steps on request and logs nothing.
 class Trial {
  public:
-  explicit Trial(const Scene& scene, int threads = 1);
+  explicit Trial(const scene::Scene& scene, int threads = 1);
 
-  const StepRecord& step();
+  const sim::StepRecord& step();
   void run(long steps);
   double h() const { return h_; }
-  const StepRecord& last() const { return last_; }
-  const Ledger& initial_ledger() const { return initial_; }
-  const SolvedProblem& problem() const { return simulation_->last_problem(); }
+  const sim::StepRecord& last() const { return last_; }
+  const sim::Ledger& initial_ledger() const { return initial_; }
+  const contact::SolvedProblem& problem() const { return simulation_->last_problem(); }
 
   /// Returns the state of a body. Throws ContractError if the scene has no body of this name.
   BodyState body(const std::string& name) const;
@@ -47,10 +47,10 @@ class Trial {
 
  private:
   std::unique_ptr<WarningCounts> warnings_;
-  std::unique_ptr<Simulation> simulation_;
+  std::unique_ptr<sim::Simulation> simulation_;
   double h_;
-  Ledger initial_;
-  StepRecord last_;
+  sim::Ledger initial_;
+  sim::StepRecord last_;
 };
 
-}  // namespace nilas
+}  // namespace nilas::verify

@@ -9,7 +9,7 @@
 #include "contact/registry.h"
 #include "core/base/error.h"
 
-namespace nilas {
+namespace nilas::verify {
 
 namespace {
 
@@ -22,7 +22,7 @@ bool has(const std::vector<std::string>& list, const std::string& name) {
   return std::find(list.begin(), list.end(), name) != list.end();
 }
 
-bool takes(const SolverEntry& solver, const std::string& law) {
+bool takes(const contact::SolverEntry& solver, const std::string& law) {
   return std::find(solver.laws.begin(), solver.laws.end(), parse_law(law).law) != solver.laws.end();
 }
 
@@ -134,7 +134,7 @@ std::vector<Model> models_of(const Case& one, const Selection& selection) {
   std::vector<Model> models;
   for (const auto& law : one.laws) {
     if (!selection.laws.empty() && !has(selection.laws, law)) continue;
-    for (const auto& solver : solver_registry()) {
+    for (const auto& solver : contact::solver_registry()) {
       if (!takes(solver, law) || (!one.solvers.empty() && !has(one.solvers, solver.name))) continue;
       if (!selection.solvers.empty() && !has(selection.solvers, solver.name)) continue;
       for (std::size_t k = 0; k < one.integrators.size(); ++k) {
@@ -170,7 +170,7 @@ std::vector<Row> judge(const Case& one, const Model& model, bool vary) {
 }
 
 std::vector<Row> verify(const Selection& selection, int threads, const std::function<void(double)>& done) {
-  for (const auto& name : selection.solvers) find_solver(name);
+  for (const auto& name : selection.solvers) contact::find_solver(name);
   for (const auto& name : selection.laws) parse_law(name);
   struct Job {
     const Case* one;
@@ -205,4 +205,4 @@ std::vector<Row> verify(const Selection& selection, int threads, const std::func
   return rows;
 }
 
-}  // namespace nilas
+}  // namespace nilas::verify

@@ -4,7 +4,7 @@
 
 #include "apps/verify/case.h"
 
-namespace nilas {
+namespace nilas::verify {
 
 /// A row of the table: one quantity of a case with one model.
 struct Row {
@@ -40,4 +40,4 @@ std::vector<Row> judge(const Case& one, const Model& model, bool vary);
 /// run.
 std::vector<Row> verify(const Selection& selection, int threads, const std::function<void(double)>& done);
 
-}  // namespace nilas
+}  // namespace nilas::verify

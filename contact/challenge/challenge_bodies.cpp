@@ -12,7 +12,7 @@ Mat6 mass_matrix(const RigidBody& body) {
   return m;
 }
 
-int add_body(ContactProblem& problem, const RigidBody& body) {
+int add_body(contact::ContactProblem& problem, const RigidBody& body) {
   const int block = problem.add_block(mass_matrix(body));
   Vec6 twist;
   twist << body.v, body.w;
@@ -35,7 +35,7 @@ MatX body_rows(const Mat3& frame, const Vec3& point, const Vec3& p, double sign)
   return rows;
 }
 
-int add_contact(ContactProblem& problem, const std::vector<RigidBody>& bodies, int a, int b, const Vec3& point,
+int add_contact(contact::ContactProblem& problem, const std::vector<RigidBody>& bodies, int a, int b, const Vec3& point,
                 const Mat3& frame, double mu) {
   const auto rows = [&](int body, double sign) -> MatX {
     if (body < 0) return MatX(3, 0);

@@ -19,7 +19,7 @@ struct RigidBody {
 Mat6 mass_matrix(const RigidBody& body);
 
 /// Adds the body's block and its momentum without contact. Returns the index of the block.
-int add_body(ContactProblem& problem, const RigidBody& body);
+int add_body(contact::ContactProblem& problem, const RigidBody& body);
 
 /// Returns a contact frame with the given unit normal; `turn` rotates the tangents [rad].
 Mat3 frame_of(const Vec3& n, double turn = 0);
@@ -28,7 +28,7 @@ Mat3 frame_of(const Vec3& n, double turn = 0);
 MatX body_rows(const Mat3& frame, const Vec3& point, const Vec3& p, double sign);
 
 /// Adds a contact between bodies a and b (-1: fixed). Each body's block has the index of the body in `bodies`.
-int add_contact(ContactProblem& problem, const std::vector<RigidBody>& bodies, int a, int b, const Vec3& point,
+int add_contact(contact::ContactProblem& problem, const std::vector<RigidBody>& bodies, int a, int b, const Vec3& point,
                 const Mat3& frame, double mu);
 
 Vec3 random_vector(RandomStream& random);

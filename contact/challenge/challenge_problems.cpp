@@ -4,9 +4,9 @@
 
 namespace nilas::challenge {
 
-ContactProblem random_heap(std::uint64_t seed, int body_count, int contact_count, double mu) {
+contact::ContactProblem random_heap(std::uint64_t seed, int body_count, int contact_count, double mu) {
   RandomStream random(seed, "heap");
-  ContactProblem problem;
+  contact::ContactProblem problem;
   problem.h = 0.01;
   std::vector<RigidBody> bodies;
   for (int k = 0; k < body_count; ++k) {
@@ -33,8 +33,8 @@ ContactProblem random_heap(std::uint64_t seed, int body_count, int contact_count
   return problem;
 }
 
-ContactProblem column(const std::vector<double>& masses, double h, double g) {
-  ContactProblem problem;
+contact::ContactProblem column(const std::vector<double>& masses, double h, double g) {
+  contact::ContactProblem problem;
   problem.h = h;
   problem.law = Law::frictionless;
   std::vector<RigidBody> bodies;
@@ -50,10 +50,10 @@ ContactProblem column(const std::vector<double>& masses, double h, double g) {
   return problem;
 }
 
-ContactProblem raft(int side, double mu, double closed, std::uint64_t seed) {
+contact::ContactProblem raft(int side, double mu, double closed, std::uint64_t seed) {
   constexpr double thickness = 0.1, density = 900, reach = 0.35;
   RandomStream random(seed, "raft");
-  ContactProblem problem;
+  contact::ContactProblem problem;
   problem.h = 0.01;
   std::vector<RigidBody> bodies;
   for (int k = 0; k < side * side; ++k) {
@@ -84,8 +84,8 @@ ContactProblem raft(int side, double mu, double closed, std::uint64_t seed) {
   return problem;
 }
 
-ContactProblem box_stack(const std::vector<double>& masses, double mu, double h, double g) {
-  ContactProblem problem;
+contact::ContactProblem box_stack(const std::vector<double>& masses, double mu, double h, double g) {
+  contact::ContactProblem problem;
   problem.h = h;
   std::vector<RigidBody> bodies;
   for (std::size_t k = 0; k < masses.size(); ++k) {

@@ -15,7 +15,7 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 
-namespace nilas {
+namespace nilas::detect {
 
 namespace {
 
@@ -58,7 +58,7 @@ struct PartsOnTheirWay {
 
 /// Returns whether no point of one part moves as far against the other as the distance between the bounding balls of
 /// both.
-bool stay_apart(const Bodies& bodies, const PartsOnTheirWay& pair) {
+bool stay_apart(const bodies::Bodies& bodies, const PartsOnTheirWay& pair) {
   const auto centre = [&](const Part& part) -> Vec3 {
     return bodies.p_GB[part.body] + bodies.R_GB[part.body] * part.centre;
   };
@@ -67,7 +67,7 @@ bool stay_apart(const Bodies& bodies, const PartsOnTheirWay& pair) {
 }
 
 /// A search with poses that are not finite might never end.
-void demand_finite(const Bodies& bodies, int threads) {
+void demand_finite(const bodies::Bodies& bodies, int threads) {
   parallel_chunks(bodies.size(), k_chunk, threads, [&](std::ptrdiff_t, std::ptrdiff_t first, std::ptrdiff_t last) {
     for (std::ptrdiff_t b = first; b < last; ++b)
       NILAS_DEMAND(bodies.p_GB[b].allFinite() && bodies.R_GB[b].allFinite());
@@ -92,19 +92,19 @@ struct ContactDetector::Implementation {
   DetectorCounts counts;
 
   void forget_all();
-  void learn_bodies(const Bodies& bodies);
+  void learn_bodies(const bodies::Bodies& bodies);
   void index_last_pairs();
   /// Moves out the pair's memory of the last call, if it has one.
   PairMemory take_remembered(const PartPair& pair);
-  void list_pairs(const Bodies& bodies, double margin);
-  void search_pairs(const Bodies& bodies, const std::vector<double>& margins, const PairFilter& left);
+  void list_pairs(const bodies::Bodies& bodies, double margin);
+  void search_pairs(const bodies::Bodies& bodies, const std::vector<double>& margins, const PairFilter& left);
   void list_left_out();
   void add_up_counts();
   bool is_deep(std::size_t i) const;
-  void find_deep(const Bodies& bodies, std::size_t first, std::size_t last, double margin,
+  void find_deep(const bodies::Bodies& bodies, std::size_t first, std::size_t last, double margin,
                  std::vector<ContactPoint>& points);
-  std::vector<ContactPoint> collect(const Bodies& bodies, const std::vector<double>& margins);
-  std::vector<PartsOnTheirWay> parts_of(const Bodies& bodies, const std::vector<FastPair>& fast) const;
+  std::vector<ContactPoint> collect(const bodies::Bodies& bodies, const std::vector<double>& margins);
+  std::vector<PartsOnTheirWay> parts_of(const bodies::Bodies& bodies, const std::vector<FastPair>& fast) const;
 };
 
 void ContactDetector::Implementation::forget_all() {
@@ -115,7 +115,7 @@ void ContactDetector::Implementation::forget_all() {
 }
 
 /// Rebuilds the tree when bodies are gone. New bodies are added to it.
-void ContactDetector::Implementation::learn_bodies(const Bodies& bodies) {
+void ContactDetector::Implementation::learn_bodies(const bodies::Bodies& bodies) {
   demand_finite(bodies, threads);
   if (const std::vector<int> new_part = known.forget_gone(bodies); !new_part.empty()) {
     broad = BroadPhase();
@@ -138,7 +138,7 @@ void ContactDetector::Implementation::index_last_pairs() {
   std::partial_sum(last_starts.begin(), last_starts.end(), last_starts.begin());
 }
 
-void ContactDetector::Implementation::list_pairs(const Bodies& bodies, double margin) {
+void ContactDetector::Implementation::list_pairs(const bodies::Bodies& bodies, double margin) {
   learn_bodies(bodies);
   before.pairs.swap(now.pairs);
   before.memory.swap(now.memory);
@@ -147,7 +147,7 @@ void ContactDetector::Implementation::list_pairs(const Bodies& bodies, double ma
   now.memory.resize(now.pairs.size());
 }
 
-void ContactDetector::Implementation::search_pairs(const Bodies& bodies, const std::vector<double>& margins,
+void ContactDetector::Implementation::search_pairs(const bodies::Bodies& bodies, const std::vector<double>& margins,
                                                    const PairFilter& left) {
   const auto count = static_cast<std::ptrdiff_t>(now.pairs.size());
   const std::ptrdiff_t wanted = threads > 1 ? threads * k_stretches_per_thread : 1;
@@ -200,7 +200,7 @@ bool ContactDetector::Implementation::is_deep(std::size_t i) const {
 /// Finds the points of two bodies that overlap so deep that each of their pairs of parts, [first, last), leaves the
 /// contact to another pair. The pair with the smallest penetration keeps its axis, and the others keep the points they
 /// have along it.
-void ContactDetector::Implementation::find_deep(const Bodies& bodies, std::size_t first, std::size_t last,
+void ContactDetector::Implementation::find_deep(const bodies::Bodies& bodies, std::size_t first, std::size_t last,
                                                 double margin, std::vector<ContactPoint>& points) {
   AxisSearchRoom room;
   std::vector<ContactPoint> deep;
@@ -226,7 +226,7 @@ void ContactDetector::Implementation::find_deep(const Bodies& bodies, std::size_
   points.insert(points.end(), deep.begin(), deep.end());
 }
 
-std::vector<ContactPoint> ContactDetector::Implementation::collect(const Bodies& bodies,
+std::vector<ContactPoint> ContactDetector::Implementation::collect(const bodies::Bodies& bodies,
                                                                    const std::vector<double>& margins) {
   add_up_counts();
   list_left_out();
@@ -271,7 +271,7 @@ ContactDetector::~ContactDetector() = default;
 ContactDetector::ContactDetector(ContactDetector&&) noexcept = default;
 ContactDetector& ContactDetector::operator=(ContactDetector&&) noexcept = default;
 
-std::vector<ContactPoint> ContactDetector::detect(const Bodies& bodies, double margin, const PairFilter& left) {
+std::vector<ContactPoint> ContactDetector::detect(const bodies::Bodies& bodies, double margin, const PairFilter& left) {
   Implementation& work = *implementation_;
   work.list_pairs(bodies, margin);
   const std::vector<double> margins(work.now.pairs.size(), margin);
@@ -279,7 +279,7 @@ std::vector<ContactPoint> ContactDetector::detect(const Bodies& bodies, double m
   return work.collect(bodies, margins);
 }
 
-std::vector<ContactPoint> ContactDetector::detect(const Bodies& bodies, const std::vector<double>& own_reach,
+std::vector<ContactPoint> ContactDetector::detect(const bodies::Bodies& bodies, const std::vector<double>& own_reach,
                                                   double margin, const PairFilter& left) {
   NILAS_DEMAND(own_reach.size() == static_cast<std::size_t>(bodies.size()));
   // pairs farther apart than the two largest reaches together cannot close, even by chains of pushes
@@ -296,7 +296,7 @@ std::vector<ContactPoint> ContactDetector::detect(const Bodies& bodies, const st
   return points;
 }
 
-std::vector<PartsOnTheirWay> ContactDetector::Implementation::parts_of(const Bodies& bodies,
+std::vector<PartsOnTheirWay> ContactDetector::Implementation::parts_of(const bodies::Bodies& bodies,
                                                                        const std::vector<FastPair>& fast) const {
   std::vector<PartsOnTheirWay> on_ways;
   for (const FastPair& pair : fast) {
@@ -310,7 +310,7 @@ std::vector<PartsOnTheirWay> ContactDetector::Implementation::parts_of(const Bod
   return on_ways;
 }
 
-std::vector<SweptPair> ContactDetector::sweep(const Bodies& bodies, const std::vector<BodyMotion>& motions,
+std::vector<SweptPair> ContactDetector::sweep(const bodies::Bodies& bodies, const std::vector<BodyMotion>& motions,
                                               const std::vector<FastPair>& fast, const SoughtOverlap& overlap) {
   if (fast.empty()) return {};
   Implementation& work = *implementation_;
@@ -338,7 +338,7 @@ std::vector<SweptPair> ContactDetector::sweep(const Bodies& bodies, const std::v
     work.counts.fallbacks += pair.first.search.fallbacks;
   }
   if (std::none_of(swept.begin(), swept.end(), [](const SweptPair& pair) { return pair.first.hit; })) return swept;
-  Bodies there = bodies;
+  bodies::Bodies there = bodies;
   AxisSearchRoom room;
   for (std::size_t k = 0; k < swept.size(); ++k) {
     const TimeOfImpact& first = swept[k].first;
@@ -355,7 +355,7 @@ std::vector<SweptPair> ContactDetector::sweep(const Bodies& bodies, const std::v
   return swept;
 }
 
-void ContactDetector::follow(const Bodies& bodies) { implementation_->learn_bodies(bodies); }
+void ContactDetector::follow(const bodies::Bodies& bodies) { implementation_->learn_bodies(bodies); }
 
 const std::vector<std::pair<int, int>>& ContactDetector::pairs_left() const { return implementation_->left_out; }
 
@@ -367,7 +367,7 @@ void ContactDetector::save(StateWriter out) const {
   work.now.save(out.group("pairs"));
 }
 
-void ContactDetector::restore(const Bodies& bodies, const StateReader& in) {
+void ContactDetector::restore(const bodies::Bodies& bodies, const StateReader& in) {
   Implementation& work = *implementation_;
   work.forget_all();
   work.learn_bodies(bodies);
@@ -375,4 +375,4 @@ void ContactDetector::restore(const Bodies& bodies, const StateReader& in) {
   work.now.restore(work.known.parts, in.group("pairs"));
 }
 
-}  // namespace nilas
+}  // namespace nilas::detect

@@ -14,7 +14,7 @@
 #include "core/bodies/bodies.h"
 #include "core/choices/contact_choices.h"
 
-namespace nilas {
+namespace nilas::detect {
 
 /// Two convex parts of different bodies, followed along their paths through a step.
 struct SweptPair {
@@ -44,33 +44,33 @@ class ContactDetector {
   /// Returns all points with gap < margin [m]. Pairs of two immovable bodies are left out. The call detects bodies that
   /// came or went since the last call. A body whose shape changed must be added again under a new id. Pairs for which
   /// `left` is true are left to the caller: see pairs_left().
-  std::vector<ContactPoint> detect(const Bodies& bodies, double margin, const PairFilter& left = {});
+  std::vector<ContactPoint> detect(const bodies::Bodies& bodies, double margin, const PairFilter& left = {});
   /// Returns the points whose gap the bodies' own reach may close (contact/detect/broad/reach.h, one length per body
   /// [m]). All points with gap < margin enter as well.
-  std::vector<ContactPoint> detect(const Bodies& bodies, const std::vector<double>& own_reach, double margin = 0,
-                                   const PairFilter& left = {});
+  std::vector<ContactPoint> detect(const bodies::Bodies& bodies, const std::vector<double>& own_reach,
+                                   double margin = 0, const PairFilter& left = {});
   /// The pairs for which the filter of the last detect() was true, among those whose boxes overlap, in rising order.
   const std::vector<std::pair<int, int>>& pairs_left() const;
   /// Finds when the parts of these pairs first touch along the paths of their bodies, and the points that the rest of
   /// the paths may close. `motions` has one entry per body, and only those of the pairs are read. With `overlap` it
   /// finds when the parts overlap that deep; its lengths are then shares of the width that made the pair a fast one.
   /// Parts too far apart to meet are left out. Changes no cache. The result is in the order of (a, b, part_a, part_b).
-  std::vector<SweptPair> sweep(const Bodies& bodies, const std::vector<BodyMotion>& motions,
+  std::vector<SweptPair> sweep(const bodies::Bodies& bodies, const std::vector<BodyMotion>& motions,
                                const std::vector<FastPair>& pairs, const SoughtOverlap& overlap = {});
   /// Registers bodies that came or went, as the calls above do. The memories of all other pairs are kept. Needed only
   /// before save().
-  void follow(const Bodies& bodies);
+  void follow(const bodies::Bodies& bodies);
   const DetectorCounts& counts() const;  ///< counts of the last detect() and of the sweeps since then
 
   /// Saves the coherence caches: the boxes of the broad phase and the memories of the pairs.
   void save(StateWriter out) const;
   /// Restores the state of a detector that was saved after a call with these bodies, at any poses. Throws InputError
   /// when the state belongs to other bodies.
-  void restore(const Bodies& bodies, const StateReader& in);
+  void restore(const bodies::Bodies& bodies, const StateReader& in);
 
  private:
   struct Implementation;
   std::unique_ptr<Implementation> implementation_;
 };
 
-}  // namespace nilas
+}  // namespace nilas::detect

@@ -2,7 +2,7 @@
 /// Counts of how a detector settled the pairs of parts whose boxes overlap.
 #include <array>
 
-namespace nilas {
+namespace nilas::detect {
 
 /// The counts of one call, or their sums over several. Each candidate pair is in one of the six counts after
 /// `candidate_pairs`, unless it was left to the caller.
@@ -31,4 +31,4 @@ inline DetectorCounts& DetectorCounts::operator+=(const DetectorCounts& other) {
   return *this;
 }
 
-}  // namespace nilas
+}  // namespace nilas::detect

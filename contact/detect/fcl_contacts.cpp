@@ -5,7 +5,7 @@
 #include "contact/detect/surface/pair_points.h"
 #include "contact/detect/surface/primitive_contacts.h"
 
-namespace nilas {
+namespace nilas::detect {
 
 namespace {
 
@@ -56,7 +56,7 @@ bool hides(const Part& part, const Vec3& x, const Vec3& outward) { return part.c
 
 /// Contacts in the frame of `host`, with normals from it to `guest`.
 struct HostedContacts {
-  const Bodies& bodies;
+  const bodies::Bodies& bodies;
   const Part& host;
   const Part& guest;
 
@@ -87,8 +87,8 @@ struct HostedContacts {
   }
 };
 
-PairContacts with_plane(const Bodies& bodies, const Part& plane, const Part& guest, double margin, FclShapes& fcl,
-                        PairMemory& memory, std::vector<ContactPoint>& points) {
+PairContacts with_plane(const bodies::Bodies& bodies, const Part& plane, const Part& guest, double margin,
+                        FclShapes& fcl, PairMemory& memory, std::vector<ContactPoint>& points) {
   PairContacts out;
   ++out.search.fcl_queries;
   const RelativePose guest_in_plane = pose_of_b_in_a(bodies, plane.body, guest.body);
@@ -99,7 +99,7 @@ PairContacts with_plane(const Bodies& bodies, const Part& plane, const Part& gue
   Manifold manifold(found);
   if (guest.kind != PartKind::sphere) {
     std::vector<LocalContact> corners;
-    nilas::plane_contacts({plane, guest, guest_in_plane, margin, memory.kept}, corners);
+    nilas::detect::plane_contacts({plane, guest, guest_in_plane, margin, memory.kept}, corners);
     remember(corners, corners.size(), memory.kept);
     for (const LocalContact& corner : corners) manifold.complete(corner, k_same_place * guest.bounding_radius);
   }
@@ -109,8 +109,9 @@ PairContacts with_plane(const Bodies& bodies, const Part& plane, const Part& gue
 
 }  // namespace
 
-PairContacts find_fcl_contacts(const Bodies& bodies, const Part& a, const Part& b, double margin, FclShapes& fcl,
-                               AxisSearchRoom& room, PairMemory& memory, std::vector<ContactPoint>& points) {
+PairContacts find_fcl_contacts(const bodies::Bodies& bodies, const Part& a, const Part& b, double margin,
+                               FclShapes& fcl, AxisSearchRoom& room, PairMemory& memory,
+                               std::vector<ContactPoint>& points) {
   if (a.kind == PartKind::plane) return with_plane(bodies, a, b, margin, fcl, memory, points);
   if (b.kind == PartKind::plane) return with_plane(bodies, b, a, margin, fcl, memory, points);
   PairContacts out;
@@ -134,4 +135,4 @@ PairContacts find_fcl_contacts(const Bodies& bodies, const Part& a, const Part& 
   return out;
 }
 
-}  // namespace nilas
+}  // namespace nilas::detect

@@ -13,7 +13,7 @@
 #include "contact/detect/surface/pair_points.h"
 #include "contact/detect/surface/primitive_contacts.h"
 
-namespace nilas {
+namespace nilas::detect {
 
 namespace {
 
@@ -24,7 +24,8 @@ const double k_most_slope = std::tan(k_grown_angle);
 
 /// The remembered axis dismisses a pair only where it clears the margin by more than rounding. Without the memory the
 /// pair would then have no contact either.
-bool separated_by_memory(const Bodies& bodies, const Part& a, const Part& b, double margin, const PairMemory& memory) {
+bool separated_by_memory(const bodies::Bodies& bodies, const Part& a, const Part& b, double margin,
+                         const PairMemory& memory) {
   const Vec3& n = memory.separating;
   const Vec3 n_a = bodies.R_GB[a.body].transpose() * n;
   const Vec3 n_b = bodies.R_GB[b.body].transpose() * n;
@@ -43,7 +44,7 @@ void order_by_key(std::span<ContactPoint> points) {
     if (points[i].key <= points[i - 1].key) points[i].key = points[i - 1].key + 1;
 }
 
-void primitive_pair(const Bodies& bodies, const Part& a, const Part& b, double margin, PairMemory& memory,
+void primitive_pair(const bodies::Bodies& bodies, const Part& a, const Part& b, double margin, PairMemory& memory,
                     Points& points) {
   const bool a_hosts = a.kind == PartKind::plane || (a.kind != PartKind::sphere && b.kind == PartKind::sphere);
   const Part& host = a_hosts ? a : b;
@@ -68,7 +69,7 @@ void primitive_pair(const Bodies& bodies, const Part& a, const Part& b, double m
 }
 
 /// Returns the depth by which the parts overlap where their contact is left to others [m], else 0.
-double polytope_or_cylinder_pair(const Bodies& bodies, const Part& a, const Part& b, double margin,
+double polytope_or_cylinder_pair(const bodies::Bodies& bodies, const Part& a, const Part& b, double margin,
                                  const PairSearch& search, AxisSearchRoom& room, PairMemory& memory,
                                  AxisSearchCounts& counts, Points& points, bool alone) {
   const PairView pair = view_pair(a, b, pose_of_b_in_a(bodies, a.body, b.body), margin);
@@ -128,7 +129,7 @@ double polytope_or_cylinder_pair(const Bodies& bodies, const Part& a, const Part
 namespace {
 
 /// Finds contacts by Nilas' own search, for a pair that its memory does not separate.
-PairContacts find_exact_contacts(const Bodies& bodies, const Part& a, const Part& b, double margin,
+PairContacts find_exact_contacts(const bodies::Bodies& bodies, const Part& a, const Part& b, double margin,
                                  const PairSearch& search, AxisSearchRoom& room, PairMemory& memory, Points& points,
                                  bool alone) {
   PairContacts out;
@@ -145,7 +146,7 @@ PairContacts find_exact_contacts(const Bodies& bodies, const Part& a, const Part
 
 }  // namespace
 
-PairContacts find_pair_contacts(const Bodies& bodies, const Part& a, const Part& b, double margin,
+PairContacts find_pair_contacts(const bodies::Bodies& bodies, const Part& a, const Part& b, double margin,
                                 const PairSearch& search, AxisSearchRoom& room, PairMemory& memory,
                                 std::vector<ContactPoint>& points, bool alone) {
   PairContacts out;
@@ -171,4 +172,4 @@ PairContacts find_pair_contacts(const Bodies& bodies, const Part& a, const Part&
   return out;
 }
 
-}  // namespace nilas
+}  // namespace nilas::detect

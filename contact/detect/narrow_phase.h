@@ -8,7 +8,7 @@
 #include "contact/detect/surface/point_reduction.h"
 #include "core/choices/contact_choices.h"
 
-namespace nilas {
+namespace nilas::detect {
 
 /// The memory of a pair from call to call.
 struct PairMemory {
@@ -36,8 +36,8 @@ struct PairSearch {
 
 /// Appends the points of parts a and b (body a < body b) with gap < margin [m] to `points`, in rising order of key.
 /// `alone`: no other parts of the two bodies have a point that overlaps, see find_way_out.
-PairContacts find_pair_contacts(const Bodies& bodies, const Part& a, const Part& b, double margin,
+PairContacts find_pair_contacts(const bodies::Bodies& bodies, const Part& a, const Part& b, double margin,
                                 const PairSearch& search, AxisSearchRoom& room, PairMemory& memory,
                                 std::vector<ContactPoint>& points, bool alone = false);
 
-}  // namespace nilas
+}  // namespace nilas::detect

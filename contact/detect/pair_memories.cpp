@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace nilas {
+namespace nilas::detect {
 
 namespace {
 
@@ -87,4 +87,4 @@ void PairMemories::restore(const std::vector<Part>& parts, const StateReader& in
   }
 }
 
-}  // namespace nilas
+}  // namespace nilas::detect

@@ -6,7 +6,7 @@
 #include "contact/detect/narrow_phase.h"
 #include "core/base/state.h"
 
-namespace nilas {
+namespace nilas::detect {
 
 /// One memory per pair, in the order of the pairs (that of the broad phase).
 struct PairMemories {
@@ -20,4 +20,4 @@ struct PairMemories {
   void restore(const std::vector<Part>& parts, const StateReader& in);
 };
 
-}  // namespace nilas
+}  // namespace nilas::detect

@@ -7,7 +7,7 @@
 #include "contact/detect/search/cylinder_axis.h"
 #include "contact/detect/surface/nearest_point.h"
 
-namespace nilas {
+namespace nilas::detect {
 
 namespace {
 
@@ -250,4 +250,4 @@ TimeOfImpact time_of_impact(const Part& a, const BodyMotion& motion_a, const Par
   return Advance(a, motion_a, b, motion_b, fcl, room, overlap).find();
 }
 
-}  // namespace nilas
+}  // namespace nilas::detect

@@ -3,7 +3,7 @@
 #include "contact/detect/broad/part.h"
 #include "contact/detect/search/axis_search.h"
 
-namespace nilas {
+namespace nilas::detect {
 
 /// A body's path through a step: its origin moves straight, and its attitude turns evenly about one axis.
 struct BodyMotion {
@@ -44,4 +44,4 @@ struct SoughtOverlap {
 TimeOfImpact time_of_impact(const Part& a, const BodyMotion& motion_a, const Part& b, const BodyMotion& motion_b,
                             FclShapes& fcl, AxisSearchRoom& room, const SoughtOverlap& overlap = {});
 
-}  // namespace nilas
+}  // namespace nilas::detect

@@ -4,7 +4,7 @@
 
 #include "core/base/union_find.h"
 
-namespace nilas {
+namespace nilas::contact {
 
 namespace {
 
@@ -60,4 +60,4 @@ Blocks split_into_blocks(int ndof, const std::vector<MatrixEntry>& mass, const s
   return joined.groups();
 }
 
-}  // namespace nilas
+}  // namespace nilas::contact

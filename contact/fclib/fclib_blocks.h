@@ -8,10 +8,10 @@
 
 #include "contact/fclib/fclib_matrix.h"
 
-namespace nilas {
+namespace nilas::contact {
 
 /// One list of degrees of freedom per block, rising, blocks by their first. `jacobian`: entries of H, ndof x 3 nc.
 std::vector<std::vector<int>> split_into_blocks(int ndof, const std::vector<MatrixEntry>& mass,
                                                 const std::vector<MatrixEntry>& jacobian, int num_contacts);
 
-}  // namespace nilas
+}  // namespace nilas::contact

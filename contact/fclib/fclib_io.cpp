@@ -11,7 +11,7 @@
 #include "core/base/error.h"
 #include "core/hdf5/hdf5_file.h"
 
-namespace nilas {
+namespace nilas::contact {
 
 namespace {
 
@@ -22,7 +22,7 @@ constexpr std::size_t k_most_mass_numbers = 16'000'000;
 
 std::vector<double> as_list(const VecX& x) { return {x.data(), x.data() + x.size()}; }
 
-VecX read_vector(const Hdf5Reader& file, const std::string& name, int size) {
+VecX read_vector(const hdf5::Hdf5Reader& file, const std::string& name, int size) {
   const auto found = file.size(name);
   if (found != static_cast<std::size_t>(size))
     file.refuse(name, "has " + std::to_string(found) + " entries, needs " + std::to_string(size));
@@ -30,7 +30,7 @@ VecX read_vector(const Hdf5Reader& file, const std::string& name, int size) {
 }
 
 /// nc, from the length of mu.
-int read_num_contacts(const Hdf5Reader& file, const std::string& vectors) {
+int read_num_contacts(const hdf5::Hdf5Reader& file, const std::string& vectors) {
   const std::size_t count = file.size(vectors + "/mu");
   if (count == 0) file.refuse(vectors + "/mu", "is empty; a problem has contacts");
   constexpr auto k_most = static_cast<std::size_t>(std::numeric_limits<int>::max() / k_rolling_rows);
@@ -39,14 +39,14 @@ int read_num_contacts(const Hdf5Reader& file, const std::string& vectors) {
 }
 
 /// A coefficient per contact from the file where it is there.
-std::vector<double> read_extra(const Hdf5Reader& file, const std::string& name, int nc,
+std::vector<double> read_extra(const hdf5::Hdf5Reader& file, const std::string& name, int nc,
                                const std::vector<double>& otherwise) {
   if (!file.has(name)) return otherwise;
   if (file.size(name) != static_cast<std::size_t>(nc)) file.refuse(name, "needs " + std::to_string(nc) + " entries");
   return as_list(file.numbers_or_infinity(name));
 }
 
-void demand_at_least(const Hdf5Reader& file, const std::string& name, const std::vector<double>& values,
+void demand_at_least(const hdf5::Hdf5Reader& file, const std::string& name, const std::vector<double>& values,
                      const std::vector<double>& least) {
   for (std::size_t c = 0; c < values.size(); ++c)
     if (!(values[c] >= least[c]))
@@ -55,7 +55,7 @@ void demand_at_least(const Hdf5Reader& file, const std::string& name, const std:
 }
 
 template <class Problem>
-void read_coefficients(const Hdf5Reader& file, const std::string& vectors, int nc, Problem& problem) {
+void read_coefficients(const hdf5::Hdf5Reader& file, const std::string& vectors, int nc, Problem& problem) {
   const std::vector<double> none(nc, 0.0);
   problem.mu = as_list(read_vector(file, vectors + "/mu", nc));
   demand_at_least(file, vectors + "/mu", problem.mu, none);
@@ -70,8 +70,8 @@ void read_coefficients(const Hdf5Reader& file, const std::string& vectors, int n
   for (int c = 0; c < nc; ++c) problem.key.push_back(static_cast<std::uint64_t>(c));
 }
 
-void refuse_bilateral(const Hdf5Reader& file, const std::string& root, std::initializer_list<const char*> matrices,
-                      const char* vector) {
+void refuse_bilateral(const hdf5::Hdf5Reader& file, const std::string& root,
+                      std::initializer_list<const char*> matrices, const char* vector) {
   const std::string fault = "bilateral constraints are not supported, contacts alone are";
   for (const char* matrix : matrices)
     if (has_matrix(file, root + "/" + matrix)) file.refuse(root + "/" + matrix, fault);
@@ -79,7 +79,7 @@ void refuse_bilateral(const Hdf5Reader& file, const std::string& root, std::init
   if (file.has(name) && file.size(name) > 0) file.refuse(name, fault);
 }
 
-void refuse_asymmetry(const Hdf5Reader& file, const std::string& name, double asymmetry) {
+void refuse_asymmetry(const hdf5::Hdf5Reader& file, const std::string& name, double asymmetry) {
   if (!(asymmetry <= k_most_asymmetry))
     file.refuse(name, "is not symmetric: " + std::to_string(asymmetry) + " relative, at most " +
                           std::to_string(k_most_asymmetry) + " is supported");
@@ -105,7 +105,7 @@ void fill_blocks(std::vector<MatrixEntry> entries, int nc, LocalProblem& problem
   }
 }
 
-LocalProblem read_local(const Hdf5Reader& file, const std::string& root) {
+LocalProblem read_local(const hdf5::Hdf5Reader& file, const std::string& root) {
   refuse_bilateral(file, root, {"V", "R"}, "s");
   LocalProblem problem;
   const int nc = read_num_contacts(file, root + "/vectors");
@@ -131,7 +131,7 @@ struct DofPlaces {
   }
 };
 
-void set_blocks(const Hdf5Reader& file, const std::string& name, const std::vector<std::vector<int>>& blocks,
+void set_blocks(const hdf5::Hdf5Reader& file, const std::string& name, const std::vector<std::vector<int>>& blocks,
                 std::size_t stored, ContactProblem& problem) {
   for (const auto& block : blocks) {
     problem.block_offset.push_back(problem.block_offset.back() + static_cast<int>(block.size()));
@@ -184,7 +184,7 @@ void fill_jacobians(const std::vector<MatrixEntry>& entries, const DofPlaces& pl
   }
 }
 
-void refuse_unmovable(const Hdf5Reader& file, const std::string& root, const ContactProblem& problem) {
+void refuse_unmovable(const hdf5::Hdf5Reader& file, const std::string& root, const ContactProblem& problem) {
   const int bad = MassInverse(problem).first_bad_block();
   if (bad >= 0) file.refuse(root + "/M", "its block " + std::to_string(bad) + " is not positive definite");
   const auto diagonal = delassus_diagonal(problem);
@@ -194,7 +194,7 @@ void refuse_unmovable(const Hdf5Reader& file, const std::string& root, const Con
                                    " has no positive finite trace: nothing can move there");
 }
 
-int read_num_velocities(const Hdf5Reader& file, const std::string& name) {
+int read_num_velocities(const hdf5::Hdf5Reader& file, const std::string& name) {
   const std::size_t count = file.size(name);
   if (count == 0 || count > static_cast<std::size_t>(std::numeric_limits<int>::max()))
     file.refuse(name, "has " + std::to_string(count) + " entries; not supported");
@@ -202,7 +202,7 @@ int read_num_velocities(const Hdf5Reader& file, const std::string& name) {
 }
 
 /// The rolling form's rows (N, T1, T2, R1, R2) as a contact (N, T1, T2) and, where mu_r > 0, a moment (0, R1, R2).
-RollingRows read_rolling_rows(const Hdf5Reader& file, const std::string& vectors, int nc) {
+RollingRows read_rolling_rows(const hdf5::Hdf5Reader& file, const std::string& vectors, int nc) {
   RollingRows rows;
   rows.length = as_list(read_vector(file, vectors + "/mu_r", nc));
   demand_at_least(file, vectors + "/mu_r", rows.length, std::vector<double>(nc, 0.0));
@@ -229,7 +229,7 @@ void add_moments(const RollingRows& rows, ContactProblem& problem) {
 }
 
 /// A moment acts between the two blocks of its contact.
-void demand_same_blocks(const Hdf5Reader& file, const std::string& root, const RollingRows& rows,
+void demand_same_blocks(const hdf5::Hdf5Reader& file, const std::string& root, const RollingRows& rows,
                         const std::vector<MatrixEntry>& jacobian, const DofPlaces& places) {
   std::vector<ContactProblem::Pair> pairs(rows.num_rows());
   for (const auto& entry : jacobian) add_block_to(pairs[entry.column / 3], places.block[entry.row]);
@@ -244,7 +244,7 @@ void demand_same_blocks(const Hdf5Reader& file, const std::string& root, const R
 }
 
 /// Reads the global form, with or without rolling friction, into `out`.
-void read_global(const Hdf5Reader& file, const std::string& root, FclibProblem& out) {
+void read_global(const hdf5::Hdf5Reader& file, const std::string& root, FclibProblem& out) {
   refuse_bilateral(file, root, {"G"}, "b");
   ContactProblem problem;
   const int nc = read_num_contacts(file, root + "/vectors");
@@ -278,7 +278,7 @@ void read_global(const Hdf5Reader& file, const std::string& root, FclibProblem& 
 }
 
 /// Impulses of `name` unless absent, never written or all zero.
-std::optional<VecX> read_impulses(const Hdf5Reader& file, const std::string& name, const FclibProblem& of) {
+std::optional<VecX> read_impulses(const hdf5::Hdf5Reader& file, const std::string& name, const FclibProblem& of) {
   if (!file.is_filled(name)) return {};
   const auto* const global = std::get_if<ContactProblem>(&of.problem);
   const bool rolling = global && global->has_moments();
@@ -289,7 +289,7 @@ std::optional<VecX> read_impulses(const Hdf5Reader& file, const std::string& nam
 }
 
 /// The group of the problem; refuses forms that are not supported.
-std::string find_root(const Hdf5Reader& file) {
+std::string find_root(const hdf5::Hdf5Reader& file) {
   if (file.has("fclib_local_rolling"))
     file.refuse("fclib_local_rolling", "rolling friction is supported in the global form only");
   std::vector<std::string> found;
@@ -315,7 +315,7 @@ int FclibProblem::num_contacts() const {
 int FclibProblem::num_velocities() const { return static_cast<int>(dof_of_file.size()); }
 
 FclibProblem read_fclib(const std::filesystem::path& path) {
-  const Hdf5Reader file(path);
+  const hdf5::Hdf5Reader file(path);
   const std::string root = find_root(file);
   FclibProblem out;
   if (root != "fclib_local") {
@@ -333,4 +333,4 @@ FclibProblem read_fclib(const std::filesystem::path& path) {
   return out;
 }
 
-}  // namespace nilas
+}  // namespace nilas::contact

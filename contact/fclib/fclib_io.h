@@ -22,7 +22,7 @@
 #include "contact/problem/local_problem.h"
 #include "contact/solvers/solver.h"
 
-namespace nilas {
+namespace nilas::contact {
 
 struct FclibProblem {
   std::variant<LocalProblem, ContactProblem> problem;
@@ -47,4 +47,4 @@ void write_fclib(const std::filesystem::path& path, const FclibProblem& problem,
 void write_fclib(const std::filesystem::path& path, const LocalProblem& problem, const ContactSolution* solution);
 void write_fclib(const std::filesystem::path& path, const ContactProblem& problem, const ContactSolution* solution);
 
-}  // namespace nilas
+}  // namespace nilas::contact

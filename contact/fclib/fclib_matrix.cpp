@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
-namespace nilas {
+namespace nilas::contact {
 
 namespace {
 
@@ -23,13 +23,13 @@ struct RawMatrix {
 
 std::string number(long long n) { return std::to_string(n); }
 
-void demand_extent(const Hdf5Reader& file, const std::string& name, int needed) {
+void demand_extent(const hdf5::Hdf5Reader& file, const std::string& name, int needed) {
   const int found = file.integer(name);
   if (found != needed) file.refuse(name, "is " + number(found) + ", needs to be " + number(needed));
 }
 
 /// `stored`: how many entries there are.
-void check_room(const Hdf5Reader& file, const RawMatrix& raw, long long stored) {
+void check_room(const hdf5::Hdf5Reader& file, const RawMatrix& raw, long long stored) {
   const std::string name = raw.group + "/nzmax";
   const int room = file.integer(name);
   const long long places = static_cast<long long>(raw.rows) * raw.columns;
@@ -38,7 +38,7 @@ void check_room(const Hdf5Reader& file, const RawMatrix& raw, long long stored) 
                 "is " + number(room) + " with " + number(stored) + " entries stored of a matrix of " + number(places));
 }
 
-void demand_length(const Hdf5Reader& file, const std::string& name, long long found, long long needed) {
+void demand_length(const hdf5::Hdf5Reader& file, const std::string& name, long long found, long long needed) {
   if (found < needed) file.refuse(name, "has " + number(found) + " entries, needs " + number(needed));
 }
 
@@ -54,7 +54,7 @@ bool fills_columns(const std::vector<int>& indices, int count, int columns) {
 }
 
 /// True where p holds the rows of triplets, false where it holds the columns.
-bool rows_first(const Hdf5Reader& file, const RawMatrix& raw) {
+bool rows_first(const hdf5::Hdf5Reader& file, const RawMatrix& raw) {
   const int count = raw.storage;
   const bool rows_in_i = within(raw.p, count, raw.columns) && within(raw.i, count, raw.rows);
   const bool rows_in_p = within(raw.p, count, raw.rows) && within(raw.i, count, raw.columns);
@@ -64,7 +64,7 @@ bool rows_first(const Hdf5Reader& file, const RawMatrix& raw) {
          fills_columns(raw.i, count, raw.columns);
 }
 
-std::vector<MatrixEntry> triplet_entries(const Hdf5Reader& file, const RawMatrix& raw) {
+std::vector<MatrixEntry> triplet_entries(const hdf5::Hdf5Reader& file, const RawMatrix& raw) {
   demand_length(file, raw.group + "/p", static_cast<long long>(raw.p.size()), raw.storage);
   demand_length(file, raw.group + "/i", static_cast<long long>(raw.i.size()), raw.storage);
   demand_length(file, raw.group + "/x", raw.x.size(), raw.storage);
@@ -80,7 +80,7 @@ std::vector<MatrixEntry> triplet_entries(const Hdf5Reader& file, const RawMatrix
 }
 
 /// Demands pointers that rise from 0 to a number of entries that is there. Returns that number.
-int check_pointers(const Hdf5Reader& file, const RawMatrix& raw, int lines) {
+int check_pointers(const hdf5::Hdf5Reader& file, const RawMatrix& raw, int lines) {
   const std::string name = raw.group + "/p";
   if (raw.p.size() != static_cast<std::size_t>(lines) + 1)
     file.refuse(name, "has " + number(static_cast<long long>(raw.p.size())) + " entries, needs " + number(lines + 1));
@@ -93,7 +93,7 @@ int check_pointers(const Hdf5Reader& file, const RawMatrix& raw, int lines) {
   return raw.p.back();
 }
 
-std::vector<MatrixEntry> compressed_entries(const Hdf5Reader& file, const RawMatrix& raw) {
+std::vector<MatrixEntry> compressed_entries(const hdf5::Hdf5Reader& file, const RawMatrix& raw) {
   const bool by_rows = raw.storage == k_compressed_rows;
   const int lines = by_rows ? raw.rows : raw.columns;
   const int count = check_pointers(file, raw, lines);
@@ -111,11 +111,11 @@ std::vector<MatrixEntry> compressed_entries(const Hdf5Reader& file, const RawMat
 
 }  // namespace
 
-bool has_matrix(const Hdf5Reader& file, const std::string& group) {
+bool has_matrix(const hdf5::Hdf5Reader& file, const std::string& group) {
   return file.has(group) && file.integer(group + "/m") > 0 && file.integer(group + "/n") > 0;
 }
 
-std::vector<MatrixEntry> read_matrix(const Hdf5Reader& file, const std::string& group, int rows, int columns) {
+std::vector<MatrixEntry> read_matrix(const hdf5::Hdf5Reader& file, const std::string& group, int rows, int columns) {
   demand_extent(file, group + "/m", rows);
   demand_extent(file, group + "/n", columns);
   RawMatrix raw{group, rows, columns, file.integer(group + "/nz"), {}, {}, {}};
@@ -127,7 +127,8 @@ std::vector<MatrixEntry> read_matrix(const Hdf5Reader& file, const std::string& 
   return raw.storage >= 0 ? triplet_entries(file, raw) : compressed_entries(file, raw);
 }
 
-void add_matrix(Hdf5Writer& file, const std::string& group, int rows, int columns, std::vector<MatrixEntry> entries) {
+void add_matrix(hdf5::Hdf5Writer& file, const std::string& group, int rows, int columns,
+                std::vector<MatrixEntry> entries) {
   std::sort(entries.begin(), entries.end(), [](const MatrixEntry& a, const MatrixEntry& b) {
     return std::tie(a.column, a.row) < std::tie(b.column, b.row);
   });
@@ -149,4 +150,4 @@ void add_matrix(Hdf5Writer& file, const std::string& group, int rows, int column
   file.add(group + "/x", x);
 }
 
-}  // namespace nilas
+}  // namespace nilas::contact

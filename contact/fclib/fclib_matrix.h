@@ -10,7 +10,7 @@
 
 #include "core/hdf5/hdf5_file.h"
 
-namespace nilas {
+namespace nilas::contact {
 
 struct MatrixEntry {
   int row = 0, column = 0;
@@ -19,12 +19,13 @@ struct MatrixEntry {
 
 /// The entries that are not zero, in the order of the file; those of one place add up. The group must declare rows x
 /// columns. Throws InputError naming the dataset at fault.
-std::vector<MatrixEntry> read_matrix(const Hdf5Reader& file, const std::string& group, int rows, int columns);
+std::vector<MatrixEntry> read_matrix(const hdf5::Hdf5Reader& file, const std::string& group, int rows, int columns);
 
 /// True where the group exists and has rows and columns.
-bool has_matrix(const Hdf5Reader& file, const std::string& group);
+bool has_matrix(const hdf5::Hdf5Reader& file, const std::string& group);
 
 /// Adds the group, in compressed columns. `entries` each at their own place.
-void add_matrix(Hdf5Writer& file, const std::string& group, int rows, int columns, std::vector<MatrixEntry> entries);
+void add_matrix(hdf5::Hdf5Writer& file, const std::string& group, int rows, int columns,
+                std::vector<MatrixEntry> entries);
 
-}  // namespace nilas
+}  // namespace nilas::contact

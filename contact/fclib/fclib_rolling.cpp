@@ -4,7 +4,7 @@
 
 #include "core/base/error.h"
 
-namespace nilas {
+namespace nilas::contact {
 
 namespace {
 
@@ -102,4 +102,4 @@ VecX RollingRows::impulses_for_file(const VecX& ours) const {
   return out;
 }
 
-}  // namespace nilas
+}  // namespace nilas::contact

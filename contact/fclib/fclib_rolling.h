@@ -7,7 +7,7 @@
 #include "contact/fclib/fclib_matrix.h"
 #include "contact/problem/problem.h"
 
-namespace nilas {
+namespace nilas::contact {
 
 constexpr const char* k_rolling_root = "fclib_global_rolling";
 constexpr int k_rolling_rows = 5;
@@ -33,4 +33,4 @@ struct RollingRows {
   VecX impulses_for_file(const VecX& ours) const;
 };
 
-}  // namespace nilas
+}  // namespace nilas::contact

@@ -8,7 +8,7 @@
 #include "core/base/error.h"
 #include "core/hdf5/hdf5_file.h"
 
-namespace nilas {
+namespace nilas::contact {
 
 namespace {
 
@@ -21,7 +21,8 @@ struct Labels {
 };
 
 template <class Problem>
-void add_info(Hdf5Writer& file, const std::string& root, const Labels& labels, const Problem& problem, int rows = 3) {
+void add_info(hdf5::Hdf5Writer& file, const std::string& root, const Labels& labels, const Problem& problem,
+              int rows = 3) {
   file.add_group(root + "/info");
   file.add(root + "/info/title", labels.title);
   file.add(root + "/info/description", labels.description);
@@ -30,7 +31,7 @@ void add_info(Hdf5Writer& file, const std::string& root, const Labels& labels, c
 }
 
 template <class Problem>
-void add_coefficients(Hdf5Writer& file, const std::string& vectors, const Problem& problem) {
+void add_coefficients(hdf5::Hdf5Writer& file, const std::string& vectors, const Problem& problem) {
   file.add(vectors + "/mu", problem.mu);
   if (problem.mu_static != problem.mu) file.add(vectors + "/mu_static", problem.mu_static);
   const auto& limits = problem.force_limit;
@@ -89,7 +90,7 @@ VecX in_file_order(const VecX& v, const std::vector<int>& row_of) {
   return ordered;
 }
 
-void add_problem(Hdf5Writer& file, const LocalProblem& problem, const std::vector<int>&, const Labels& labels) {
+void add_problem(hdf5::Hdf5Writer& file, const LocalProblem& problem, const std::vector<int>&, const Labels& labels) {
   const std::string root = "fclib_local";
   const int rows = 3 * problem.num_contacts();
   file.add_group(root);
@@ -108,7 +109,7 @@ std::vector<Value> of_contacts(const RollingRows& rows, const std::vector<Value>
   return out;
 }
 
-void add_rolling_problem(Hdf5Writer& file, const ContactProblem& problem, const std::vector<int>& row_of,
+void add_rolling_problem(hdf5::Hdf5Writer& file, const ContactProblem& problem, const std::vector<int>& row_of,
                          const Labels& labels) {
   const std::string root = k_rolling_root;
   const RollingRows rows = RollingRows::of(problem);
@@ -129,7 +130,7 @@ void add_rolling_problem(Hdf5Writer& file, const ContactProblem& problem, const 
   add_coefficients(file, root + "/vectors", contacts);
 }
 
-void add_problem(Hdf5Writer& file, const ContactProblem& problem, const std::vector<int>& row_of,
+void add_problem(hdf5::Hdf5Writer& file, const ContactProblem& problem, const std::vector<int>& row_of,
                  const Labels& labels) {
   if (problem.has_moments()) return add_rolling_problem(file, problem, row_of, labels);
   const std::string root = "fclib_global";
@@ -145,7 +146,7 @@ void add_problem(Hdf5Writer& file, const ContactProblem& problem, const std::vec
 }
 
 template <class Problem>
-void add_solution(Hdf5Writer& file, const Problem& problem, const ContactSolution& solution,
+void add_solution(hdf5::Hdf5Writer& file, const Problem& problem, const ContactSolution& solution,
                   const std::vector<int>& row_of) {
   file.add_group("solution");
   if constexpr (std::is_same_v<Problem, ContactProblem>) {
@@ -165,7 +166,7 @@ void add_solution(Hdf5Writer& file, const Problem& problem, const ContactSolutio
 template <class Problem>
 void write(const std::filesystem::path& path, const Problem& problem, const std::vector<int>& row_of,
            const Labels& labels, const ContactSolution* solution) {
-  Hdf5Writer file;
+  hdf5::Hdf5Writer file;
   add_problem(file, problem, row_of, labels);
   if (solution) add_solution(file, problem, *solution, row_of);
   file.save(path);
@@ -191,4 +192,4 @@ void write_fclib(const std::filesystem::path& path, const ContactProblem& proble
   write(path, problem, as_is, {path.stem().string(), ""}, solution);
 }
 
-}  // namespace nilas
+}  // namespace nilas::contact

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace nilas {
+namespace nilas::contact {
 
 Vec3 project_cone(const Vec3& x, double mu) {
   const double n = x[0];
@@ -81,4 +81,4 @@ double pyramid_support(const Vec2& t, int facets) {
   return t.norm() * std::cos(angle - width * std::round(angle / width));
 }
 
-}  // namespace nilas
+}  // namespace nilas::contact

@@ -4,7 +4,7 @@
 
 #include "core/base/math.h"
 
-namespace nilas {
+namespace nilas::contact {
 
 /// |x_T|
 inline double tangential_norm(const Vec3& x) { return std::sqrt(x[1] * x[1] + x[2] * x[2]); }
@@ -22,4 +22,4 @@ Vec3 project_pyramid(const Vec3& x, double mu, int facets, double cap);
 /// max over corners of e_k . t: the support function of P.
 double pyramid_support(const Vec2& t, int facets);
 
-}  // namespace nilas
+}  // namespace nilas::contact

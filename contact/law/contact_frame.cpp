@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace nilas {
+namespace nilas::contact {
 
 /// Cosines closer than this count as a tie; see the header.
 constexpr double k_tie = 0.1;
@@ -31,4 +31,4 @@ Mat3 contact_frame(const Vec3& n, const Mat3& R_GA, double axes) {
   return frame;
 }
 
-}  // namespace nilas
+}  // namespace nilas::contact

@@ -5,7 +5,7 @@
 
 #include "core/base/error.h"
 
-namespace nilas {
+namespace nilas::contact {
 
 constexpr const char* k_any_material = "*";
 
@@ -68,4 +68,4 @@ std::size_t FrictionPairs::place(int a, int b) const {
   return static_cast<std::size_t>(a * materials_ + b);
 }
 
-}  // namespace nilas
+}  // namespace nilas::contact

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace nilas {
+namespace nilas::contact {
 
 struct FrictionPair {
   double mu_static = 0;
@@ -64,4 +64,4 @@ class FrictionTable {
   std::vector<Entry> entries_;
 };
 
-}  // namespace nilas
+}  // namespace nilas::contact

@@ -5,7 +5,7 @@
 
 #include "contact/law/cone.h"
 
-namespace nilas {
+namespace nilas::contact {
 
 ContactScale contact_scale(const ContactProblem& problem, int c, double d) {
   const auto i = static_cast<std::size_t>(c);
@@ -95,4 +95,4 @@ double law_map(Law law, int facets, const ContactScale& scale, const Vec3& r, co
   return unless_beyond(scale, r, scale.d * law_residual(law, facets, scale, r, u).norm());
 }
 
-}  // namespace nilas
+}  // namespace nilas::contact

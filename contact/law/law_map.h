@@ -4,7 +4,7 @@
 #include "contact/problem/local_problem.h"
 #include "contact/problem/problem.h"
 
-namespace nilas {
+namespace nilas::contact {
 
 /// The data that a law needs besides impulse and velocity of a contact.
 struct ContactScale {
@@ -33,4 +33,4 @@ double natural_map(const ContactScale& scale, const Vec3& r, const Vec3& u);
 double ccp_map(const ContactScale& scale, const Vec3& r, const Vec3& u);
 double law_map(Law law, int facets, const ContactScale& scale, const Vec3& r, const Vec3& u);
 
-}  // namespace nilas
+}  // namespace nilas::contact

@@ -7,7 +7,7 @@
 
 #include "contact/law/cone.h"
 
-namespace nilas {
+namespace nilas::contact {
 
 namespace {
 
@@ -372,4 +372,4 @@ Vec3 solve_moment(const ContactBlock& block, const Vec3& b, double normal, const
   return {spin, first, second};
 }
 
-}  // namespace nilas
+}  // namespace nilas::contact

@@ -15,7 +15,7 @@
 /// Nominal accuracy: law_map 1e-14 of (1 + mu) |b| + d |r| on blocks of rigid bodies.
 #include "contact/law/law_map.h"
 
-namespace nilas {
+namespace nilas::contact {
 
 /// The data of a contact that stay constant while other contacts change.
 struct ContactBlock {
@@ -72,4 +72,4 @@ inline Vec3 solve_in_sweep(Law law, int facets, const ContactBlock& block, const
   return solve_contact(law, facets, block, b, start);
 }
 
-}  // namespace nilas
+}  // namespace nilas::contact

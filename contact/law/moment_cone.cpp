@@ -6,7 +6,7 @@
 
 #include "contact/law/cone.h"
 
-namespace nilas {
+namespace nilas::contact {
 
 namespace {
 
@@ -88,4 +88,4 @@ double law_map(Law law, const ContactScale& scale, const ForceAndMoment& r, cons
   return std::hypot(law_map(law, 0, scale, r.force, u.force), scale.d * step.norm());
 }
 
-}  // namespace nilas
+}  // namespace nilas::contact

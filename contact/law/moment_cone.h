@@ -9,7 +9,7 @@
 /// Source: FCLIB's rolling form (Acary, Bourrier 2021), which has no spinning row.
 #include "contact/law/law_map.h"
 
-namespace nilas {
+namespace nilas::contact {
 
 /// One contact's impulses or velocities: (N, T1, T2) and (S, R1, R2).
 struct ForceAndMoment {
@@ -30,4 +30,4 @@ double natural_map(const ContactScale& scale, const ForceAndMoment& r, const For
 double ccp_map(const ContactScale& scale, const ForceAndMoment& r, const ForceAndMoment& u);
 double law_map(Law law, const ContactScale& scale, const ForceAndMoment& r, const ForceAndMoment& u);
 
-}  // namespace nilas
+}  // namespace nilas::contact

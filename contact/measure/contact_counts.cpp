@@ -5,7 +5,7 @@
 
 #include "contact/measure/measure.h"
 
-namespace nilas {
+namespace nilas::contact {
 
 namespace {
 
@@ -46,4 +46,4 @@ ContactCounts count_contacts(const LocalProblem& problem, const VecX& r, const V
   return counter.counts;
 }
 
-}  // namespace nilas
+}  // namespace nilas::contact

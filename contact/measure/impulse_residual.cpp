@@ -8,7 +8,7 @@
 #include "contact/problem/operators.h"
 #include "contact/problem/row_of.h"
 
-namespace nilas {
+namespace nilas::contact {
 
 static Vec3 without_hover(Law law, double mu, double gap_speed, const Vec3& u) {
   if (law != Law::ccp) return u;
@@ -32,4 +32,4 @@ ImpulseResidual impulse_residual(const ContactProblem& problem, int c, double d,
   return {law_residual(problem.law, scale, r_all, {u, u_moment}), natural_residual(scale, r_all, {closed, u_moment})};
 }
 
-}  // namespace nilas
+}  // namespace nilas::contact

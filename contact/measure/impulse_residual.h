@@ -3,7 +3,7 @@
 /// `measure` reports. Summed over the contacts of a body, e is the error of the body's load.
 #include "contact/problem/problem.h"
 
-namespace nilas {
+namespace nilas::contact {
 
 /// The residual on body B in the frame (N, T1, T2) of the contact [N s].
 struct ImpulseResidual {
@@ -17,4 +17,4 @@ struct ImpulseResidual {
 ImpulseResidual impulse_residual(const ContactProblem& problem, int c, double d, const VecX& r, const VecX& v,
                                  double gap_speed);
 
-}  // namespace nilas
+}  // namespace nilas::contact

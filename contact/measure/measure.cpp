@@ -10,7 +10,7 @@
 #include "contact/problem/row_of.h"
 #include "core/base/error.h"
 
-namespace nilas {
+namespace nilas::contact {
 
 /// Contacts slower than this do not count as sliding: ten times the default tolerance of solvers [m/s].
 constexpr double k_slide_speed = 1e-5;
@@ -174,4 +174,4 @@ const std::vector<NamedResidual>& residual_columns() {
   return columns;
 }
 
-}  // namespace nilas
+}  // namespace nilas::contact

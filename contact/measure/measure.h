@@ -5,7 +5,7 @@
 #include "contact/problem/prepared_problem.h"
 #include "contact/problem/problem.h"
 
-namespace nilas {
+namespace nilas::contact {
 
 /// d_a = trace(W_aa)/3 and m_a = 1/d_a scale impulses to velocities, so every length below is in m/s.
 struct Residuals {
@@ -45,4 +45,4 @@ struct NamedResidual {
 };
 const std::vector<NamedResidual>& residual_columns();
 
-}  // namespace nilas
+}  // namespace nilas::contact

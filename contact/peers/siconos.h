@@ -7,7 +7,7 @@
 /// tolerance of `shared`. Source: Acary, Bremond, Huber 2018; the library is Debian's libsiconos-numerics.
 #include "contact/solvers/solver.h"
 
-namespace nilas {
+namespace nilas::contact {
 
 enum class SiconosMethod { nsgs, nsn_ac, prox, admm };
 
@@ -17,13 +17,13 @@ struct SiconosSettings {
   double relative_tolerance = 0;  ///< Siconos' own, for a single run; 0: the ladder
 };
 
-class SiconosSolver final : public ContactSolver {
+class SiconosSolver final : public solvers::ContactSolver {
  public:
   explicit SiconosSolver(const SiconosSettings& settings) : settings_(settings) {}
   std::string name() const override;
   /// converged: law_map_m_s is at most the tolerance, whatever Siconos says. message: the relative tolerance that did
   /// it. numerical_error: a finite force limit, which Siconos does not know, or impulses that are not finite.
-  using ContactSolver::solve;
+  using solvers::ContactSolver::solve;
   ContactSolution solve(const PreparedProblem& problem, const VecX& guess) const override;
   ContactSolution solve(const LocalProblem& problem, const VecX& guess) const override;
 
@@ -31,4 +31,4 @@ class SiconosSolver final : public ContactSolver {
   SiconosSettings settings_;
 };
 
-}  // namespace nilas
+}  // namespace nilas::contact

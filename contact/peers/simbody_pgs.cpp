@@ -5,7 +5,7 @@
 
 #include "core/vessel/tree/simbody.h"
 
-namespace nilas {
+namespace nilas::contact {
 
 namespace {
 
@@ -39,10 +39,10 @@ ContactSolution refused(const LocalProblem& island, const std::string& why) {
 
 }  // namespace
 
-void SimbodyPgsSolver::demand_law(Law law) const { demand_known("simbody-pgs", {Law::coulomb}, law); }
+void SimbodyPgsSolver::demand_law(Law law) const { solvers::demand_known("simbody-pgs", {Law::coulomb}, law); }
 
 ContactSolution SimbodyPgsSolver::solve_island(const LocalProblem& island, const VecX&, const SolverSettings& shared,
-                                               const Budget& budget) const {
+                                               const solvers::Budget& budget) const {
   const int nc = island.num_contacts(), rows = 3 * nc;
   if (nc > k_most_contacts) return refused(island, "simbody-pgs takes at most 1000 contacts of one island");
   if (std::any_of(island.force_limit.begin(), island.force_limit.end(), [](double x) { return std::isfinite(x); }))
@@ -89,4 +89,4 @@ ContactSolution SimbodyPgsSolver::solve_island(const LocalProblem& island, const
   return out;
 }
 
-}  // namespace nilas
+}  // namespace nilas::contact

@@ -6,22 +6,22 @@
 /// Its own stop is a change of the iterate; `measure` decides what is converged. Library: Simbody 3.7.
 #include "contact/solvers/solver.h"
 
-namespace nilas {
+namespace nilas::contact {
 
 struct SimbodyPgsSettings {
   SolverSettings shared;
 };
 
-class SimbodyPgsSolver final : public IslandSolver {
+class SimbodyPgsSolver final : public solvers::IslandSolver {
  public:
-  explicit SimbodyPgsSolver(const SimbodyPgsSettings& settings) : IslandSolver(settings.shared) {}
+  explicit SimbodyPgsSolver(const SimbodyPgsSettings& settings) : solvers::IslandSolver(settings.shared) {}
   std::string name() const override { return "simbody-pgs"; }
   /// It starts from zero: `guess` is not used. numerical_error: a finite force limit or too many contacts.
   ContactSolution solve_island(const LocalProblem& island, const VecX& guess, const SolverSettings& shared,
-                               const Budget& budget) const override;
+                               const solvers::Budget& budget) const override;
 
  private:
   void demand_law(Law law) const override;
 };
 
-}  // namespace nilas
+}  // namespace nilas::contact

@@ -5,7 +5,7 @@
 #include <limits>
 #include <numeric>
 
-namespace nilas {
+namespace nilas::contact {
 
 namespace {
 
@@ -126,4 +126,4 @@ bool fills_at_most(std::size_t blocks, const std::vector<int>& row_start, const 
   return find_fill(given_upper(row_start, column, fill), blocks, fill);
 }
 
-}  // namespace nilas
+}  // namespace nilas::contact

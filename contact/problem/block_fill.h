@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace nilas {
+namespace nilas::contact {
 
 /// Lists of columns, one per row, one after the other in memory.
 struct ColumnLists {
@@ -37,4 +37,4 @@ BlockFill block_fill(const std::vector<int>& row_start, const std::vector<int>& 
 /// are allowed here.
 bool fills_at_most(std::size_t blocks, const std::vector<int>& row_start, const std::vector<int>& column);
 
-}  // namespace nilas
+}  // namespace nilas::contact

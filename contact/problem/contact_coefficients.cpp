@@ -1,6 +1,6 @@
 #include "contact/problem/contact_coefficients.h"
 
-namespace nilas {
+namespace nilas::contact {
 
 const char* to_string(Law law) { return choice_text(law).name.data(); }
 
@@ -15,4 +15,4 @@ ContactCoefficients select(const ContactCoefficients& all, const std::vector<int
   return part;
 }
 
-}  // namespace nilas
+}  // namespace nilas::contact

@@ -5,7 +5,7 @@
 
 #include "core/choices/law.h"
 
-namespace nilas {
+namespace nilas::contact {
 
 /// The law's name; pyramid-k stands for the names with a number that scene files have, such as pyramid-8.
 const char* to_string(Law law);
@@ -38,4 +38,4 @@ void for_each_list(ContactCoefficients& one, const ContactCoefficients& other, c
 /// The law, and the coefficients of some contacts in the order given.
 ContactCoefficients select(const ContactCoefficients& all, const std::vector<int>& contacts);
 
-}  // namespace nilas
+}  // namespace nilas::contact

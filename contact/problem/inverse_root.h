@@ -4,7 +4,7 @@
 
 #include "core/base/math.h"
 
-namespace nilas {
+namespace nilas::contact {
 
 /// L^-1 of m = L L^T, lower triangular. Reads the lower triangle; not finite where m is not positive definite.
 inline Mat3 inverse_root(const Mat3& m) {
@@ -21,4 +21,4 @@ inline Mat3 inverse_root(const Mat3& m) {
   return root;
 }
 
-}  // namespace nilas
+}  // namespace nilas::contact

@@ -5,7 +5,7 @@
 #include "contact/problem/row_of.h"
 #include "core/base/union_find.h"
 
-namespace nilas {
+namespace nilas::contact {
 
 namespace {
 
@@ -108,4 +108,4 @@ LocalProblem select(const LocalProblem& problem, const std::vector<int>& contact
   return part;
 }
 
-}  // namespace nilas
+}  // namespace nilas::contact

@@ -5,7 +5,7 @@
 #include "contact/problem/local_problem.h"
 #include "contact/problem/problem.h"
 
-namespace nilas {
+namespace nilas::contact {
 
 /// Contact indices per island, rising inside, islands ordered by their first contact.
 std::vector<std::vector<int>> find_islands(const ContactProblem& problem);
@@ -17,4 +17,4 @@ ContactProblem select(const ContactProblem& problem, const std::vector<int>& con
 /// The local problem of some contacts (rising). The others are taken out, as if they had no impulses.
 LocalProblem select(const LocalProblem& problem, const std::vector<int>& contacts);
 
-}  // namespace nilas
+}  // namespace nilas::contact

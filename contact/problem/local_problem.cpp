@@ -7,7 +7,7 @@
 #include "contact/problem/row_of.h"
 #include "core/base/error.h"
 
-namespace nilas {
+namespace nilas::contact {
 
 namespace {
 
@@ -125,4 +125,4 @@ Eigen::SparseMatrix<double> sparse_matrix(const LocalProblem& problem) {
   return w;
 }
 
-}  // namespace nilas
+}  // namespace nilas::contact

@@ -10,7 +10,7 @@
 
 #include "contact/problem/problem.h"
 
-namespace nilas {
+namespace nilas::contact {
 
 /// ContactCoefficients adds the law and, per contact, friction, force limit, compliance and key.
 struct LocalProblem : ContactCoefficients {
@@ -40,4 +40,4 @@ double asymmetry(const LocalProblem& problem);
 /// W as a sparse matrix, 3 nc x 3 nc.
 Eigen::SparseMatrix<double> sparse_matrix(const LocalProblem& problem);
 
-}  // namespace nilas
+}  // namespace nilas::contact

@@ -6,7 +6,7 @@
 
 #include "contact/problem/inverse_root.h"
 
-namespace nilas {
+namespace nilas::contact {
 
 constexpr int k_rigid_size = 6;
 /// Larger asymmetry of a block is not rounding, relative to its largest entry.
@@ -145,4 +145,4 @@ double MassInverse::square(int k, const double* x) const {
   return y.squaredNorm();
 }
 
-}  // namespace nilas
+}  // namespace nilas::contact

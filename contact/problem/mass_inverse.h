@@ -5,7 +5,7 @@
 
 #include "contact/problem/problem.h"
 
-namespace nilas {
+namespace nilas::contact {
 
 /// M_k^-1 per block. A symmetric 6x6 block of the form diag(m I, I_G) is kept as 1/m and I_G^-1 with their roots, any
 /// other by its Cholesky factor. A block that is asymmetric beyond rounding (masses of files) also has its LU factors.
@@ -45,4 +45,4 @@ class MassInverse {
   int first_bad_block_ = -1;
 };
 
-}  // namespace nilas
+}  // namespace nilas::contact

@@ -5,7 +5,7 @@
 #include "contact/problem/row_of.h"
 #include "core/base/error.h"
 
-namespace nilas {
+namespace nilas::contact {
 
 using Rows6 = Eigen::Matrix<double, 3, 6, Eigen::RowMajor>;
 using RowMajor = ContactProblem::RowMajor;
@@ -116,4 +116,4 @@ std::size_t largest_response(const ContactProblem& problem) {
   return 6 * static_cast<std::size_t>(largest);
 }
 
-}  // namespace nilas
+}  // namespace nilas::contact

@@ -3,7 +3,7 @@
 #include "contact/problem/mass_inverse.h"
 #include "contact/problem/problem.h"
 
-namespace nilas {
+namespace nilas::contact {
 
 /// u_c = J_A v_A + J_B v_B + w_c. `v`: nv velocities.
 Vec3 contact_velocity(const ContactProblem& problem, int c, const double* v);
@@ -26,4 +26,4 @@ VecX velocities(const ContactProblem& problem, const MassInverse& masses, const 
 /// d_c = trace(W_cc)/3 from the block W_cc [1/kg].
 inline double inverse_mass_scale(const Mat3& w) { return w.trace() / 3; }
 
-}  // namespace nilas
+}  // namespace nilas::contact

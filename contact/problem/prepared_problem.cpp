@@ -4,7 +4,7 @@
 #include "contact/problem/operators.h"
 #include "core/base/error.h"
 
-namespace nilas {
+namespace nilas::contact {
 
 namespace {
 
@@ -37,4 +37,4 @@ VecX velocities(const PreparedProblem& prepared, const VecX& r) {
   return velocities(prepared.problem(), prepared.masses(), r);
 }
 
-}  // namespace nilas
+}  // namespace nilas::contact

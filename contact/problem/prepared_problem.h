@@ -5,7 +5,7 @@
 #include "contact/problem/mass_inverse.h"
 #include "contact/problem/problem.h"
 
-namespace nilas {
+namespace nilas::contact {
 
 class PreparedProblem {
  public:
@@ -31,4 +31,4 @@ class PreparedProblem {
 /// v = M^-1 (f + H r).
 VecX velocities(const PreparedProblem& prepared, const VecX& r);
 
-}  // namespace nilas
+}  // namespace nilas::contact

@@ -6,7 +6,7 @@
 #include "contact/problem/row_of.h"
 #include "core/base/error.h"
 
-namespace nilas {
+namespace nilas::contact {
 
 ContactProblem::ConstMatrix ContactProblem::mass(int k) const {
   const int n = block_size(k);
@@ -97,4 +97,4 @@ VecX contact_velocities(const ContactProblem& problem, const VecX& v) {
   return u;
 }
 
-}  // namespace nilas
+}  // namespace nilas::contact

@@ -13,7 +13,7 @@
 #include "contact/problem/contact_coefficients.h"
 #include "core/base/math.h"
 
-namespace nilas {
+namespace nilas::contact {
 
 /// ContactCoefficients adds the law and, per contact, friction, force limit, compliance and key.
 struct ContactProblem : ContactCoefficients {
@@ -93,4 +93,4 @@ VecX velocities(const ContactProblem& problem, const VecX& r);
 /// u = H^T v + w.
 VecX contact_velocities(const ContactProblem& problem, const VecX& v);
 
-}  // namespace nilas
+}  // namespace nilas::contact

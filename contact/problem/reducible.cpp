@@ -5,7 +5,7 @@
 
 #include "contact/problem/block_fill.h"
 
-namespace nilas {
+namespace nilas::contact {
 
 namespace {
 
@@ -62,4 +62,4 @@ std::string not_reducible_message(const std::vector<int>& contacts) {
          "it";
 }
 
-}  // namespace nilas
+}  // namespace nilas::contact

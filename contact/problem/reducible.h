@@ -5,7 +5,7 @@
 
 #include "contact/problem/problem.h"
 
-namespace nilas {
+namespace nilas::contact {
 
 /// W has a block for every pair of contacts of one body: up to 5e6 blocks (360 MB) are formed, and beyond 20000
 /// contacts only where its factors fill at most 8e6 blocks. In fields of floes, at 1e4 and 1e5 contacts, a
@@ -16,4 +16,4 @@ bool is_reducible(const ContactProblem& problem, const std::vector<int>& contact
 /// Returns a message about an island that is not reducible, with its number of contacts and the solvers that take it.
 std::string not_reducible_message(const std::vector<int>& contacts);
 
-}  // namespace nilas
+}  // namespace nilas::contact

@@ -1,6 +1,6 @@
 #include "contact/problem/solution.h"
 
-namespace nilas {
+namespace nilas::contact {
 
 const char* to_string(SolveStatus status) {
   switch (status) {
@@ -16,4 +16,4 @@ const char* to_string(SolveStatus status) {
   return "unknown";
 }
 
-}  // namespace nilas
+}  // namespace nilas::contact

@@ -6,7 +6,7 @@
 #include "core/base/math.h"
 #include "core/choices/defaults.h"
 
-namespace nilas {
+namespace nilas::contact {
 
 enum class SolveStatus { converged, iteration_limit, stalled, numerical_error };
 const char* to_string(SolveStatus status);
@@ -34,4 +34,4 @@ struct SolverSettings {
   int threads = 1;
 };
 
-}  // namespace nilas
+}  // namespace nilas::contact

@@ -7,7 +7,7 @@
 #include "contact/problem/problem.h"
 #include "core/base/error.h"
 
-namespace nilas {
+namespace nilas::contact {
 
 /// Largest asymmetry of a mass block, relative to its largest entry: what files may hold.
 constexpr double k_symmetry = 1e-2;
@@ -151,4 +151,4 @@ void validate(const ContactProblem& problem) {
   check_keys(problem);
 }
 
-}  // namespace nilas
+}  // namespace nilas::contact

@@ -13,7 +13,7 @@
 #include "contact/solvers/shared/mass_scaled.h"
 #include "core/base/error.h"
 
-namespace nilas {
+namespace nilas::solvers {
 
 namespace {
 
@@ -49,7 +49,8 @@ double largest_eigenvalue(const Eigen::SparseMatrix<double>& w) {
 VecX project(const MassScaled& problem, const VecX& r) {
   VecX inside(r.size());
   for (int a = 0; a < problem.num_contacts(); ++a)
-    inside.segment<3>(row_of(a)) = project_cone(r.segment<3>(row_of(a)), problem.mu[a], problem.cap[a]);
+    inside.segment<3>(contact::row_of(a)) =
+        contact::project_cone(r.segment<3>(contact::row_of(a)), problem.mu[a], problem.cap[a]);
   return inside;
 }
 
@@ -149,15 +150,16 @@ struct LastTwo {
 
 constexpr const char* k_indefinite = "admm: W and the penalty together are not positive definite";
 
-ContactSolution alternate_to_tolerance(const LocalProblem& island, const VecX& guess, const AdmmSettings& settings,
-                                       const SolverSettings& shared, const Budget& budget) {
+contact::ContactSolution alternate_to_tolerance(const contact::LocalProblem& island, const VecX& guess,
+                                                const AdmmSettings& settings, const contact::SolverSettings& shared,
+                                                const Budget& budget) {
   const MassScaled problem = mass_scaled(island);
   BlockCholesky factors(problem.symmetric);
   BestImpulses best(shared.tolerance, budget, {settings.stall_iterations, k_fall});
   LastTwo last_two;
   const auto offer = [&](const VecX& scaled) {
     const VecX r = problem.impulses(scaled);
-    const double residual = measure(island, r).law_map_m_s;
+    const double residual = contact::measure(island, r).law_map_m_s;
     if (shared.keep_history) best.note(residual);
     best.offer(r, residual);
     if (last_two.fell_too_little(residual, settings.least_fall)) best.stall();
@@ -193,7 +195,7 @@ ContactSolution alternate_to_tolerance(const LocalProblem& island, const VecX& g
       z = penalty.value() * state->tail(y.size());
     }
   }
-  ContactSolution solution = std::move(best).solution();
+  contact::ContactSolution solution = std::move(best).solution();
   if (solution.r.size() == 0) solution.r = VecX::Zero(island.q.size());
   return solution;
 }
@@ -202,10 +204,10 @@ ContactSolution alternate_to_tolerance(const LocalProblem& island, const VecX& g
 
 void AdmmSolver::demand_law(Law law) const { demand_known("admm", {Law::coulomb, Law::ccp, Law::frictionless}, law); }
 
-ContactSolution AdmmSolver::solve_island(const LocalProblem& island, const VecX& guess, const SolverSettings& shared,
-                                         const Budget& budget) const {
+contact::ContactSolution AdmmSolver::solve_island(const contact::LocalProblem& island, const VecX& guess,
+                                                  const contact::SolverSettings& shared, const Budget& budget) const {
   if (const auto still = solve_immovable(island)) return *still;
   return alternate_to_tolerance(island, guess, settings_, shared, budget);
 }
 
-}  // namespace nilas
+}  // namespace nilas::solvers

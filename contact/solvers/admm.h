@@ -17,10 +17,10 @@
 /// Nominal tolerances: 1e-6 m/s, 1e-9 m/s where it does not stall. Islands are solved apart.
 #include "contact/solvers/solver.h"
 
-namespace nilas {
+namespace nilas::solvers {
 
 struct AdmmSettings {
-  SolverSettings shared;
+  contact::SolverSettings shared;
   int anderson_depth = 10;      ///< 0: no acceleration
   int stall_iterations = 1000;  ///< window of the stall rule (best_impulses.h); share 0.9
   double first_exponent = 0.2;  ///< k of the penalty
@@ -35,11 +35,11 @@ class AdmmSolver final : public IslandSolver {
   /// converged: law_map_m_s as `measure` finds it is at most the tolerance in every island. The best impulses measured
   /// are returned whatever the status. Throws InputError for laws other than coulomb, ccp and frictionless.
   void demand_law(Law law) const override;
-  ContactSolution solve_island(const LocalProblem& island, const VecX& guess, const SolverSettings& shared,
-                               const Budget& budget) const override;
+  contact::ContactSolution solve_island(const contact::LocalProblem& island, const VecX& guess,
+                                        const contact::SolverSettings& shared, const Budget& budget) const override;
 
  private:
   AdmmSettings settings_;
 };
 
-}  // namespace nilas
+}  // namespace nilas::solvers

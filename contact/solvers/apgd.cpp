@@ -8,7 +8,7 @@
 #include "contact/solvers/shared/measured_loop.h"
 #include "core/base/error.h"
 
-namespace nilas {
+namespace nilas::solvers {
 
 namespace {
 
@@ -27,9 +27,9 @@ constexpr double k_least_curvature = 1e-12;
 /// Curvature above this multiple of L asks for a larger L; below, the difference is rounding.
 constexpr double k_rounding = 1 + 1e-12;
 
-Eigen::VectorBlock<VecX, 3> segment(VecX& x, int c) { return x.segment<3>(row_of(c)); }
-Vec3 segment(const VecX& x, int c) { return x.segment<3>(row_of(c)); }
-const ContactScale& scale_of(const IslandOperator& island, int c) { return island.scales()[c]; }
+Eigen::VectorBlock<VecX, 3> segment(VecX& x, int c) { return x.segment<3>(contact::row_of(c)); }
+Vec3 segment(const VecX& x, int c) { return x.segment<3>(contact::row_of(c)); }
+const contact::ContactScale& scale_of(const IslandOperator& island, int c) { return island.scales()[c]; }
 Vec3 project(const IslandOperator& island, int c, const Vec3& x) {
   return project_law(island.law(), island.facets(), scale_of(island, c), x);
 }
@@ -51,7 +51,7 @@ void advance(IslandOperator& island, const Point& y, const VecX& shift, double c
   next.r.resize(y.r.size());
   for (int c = 0; c < island.num_contacts(); ++c) {
     const Vec3 f = gradient(y, shift, c);
-    const ContactScale& scale = scale_of(island, c);
+    const contact::ContactScale& scale = scale_of(island, c);
     if (scale.d > 0)
       segment(next.r, c) = project(island, c, segment(y.r, c) - f / (curvature * scale.d));
     else
@@ -122,7 +122,8 @@ bool renew_if_due(const IslandOperator& island, const Point& r, double residual,
   return true;
 }
 
-ContactSolution iterate(IslandOperator& island, const VecX& guess, const ApgdSettings& settings, const Budget& budget) {
+contact::ContactSolution iterate(IslandOperator& island, const VecX& guess, const ApgdSettings& settings,
+                                 const Budget& budget) {
   Point r{guess, {}}, next;
   for (int c = 0; c < island.num_contacts(); ++c) segment(r.r, c) = project(island, c, segment(guess, c));
   island.velocities(r.r, r.u);
@@ -158,11 +159,12 @@ ContactSolution iterate(IslandOperator& island, const VecX& guess, const ApgdSet
 
 }  // namespace
 
-ContactSolution ApgdSolver::solve(const PreparedProblem& problem, const VecX& guess) const {
+contact::ContactSolution ApgdSolver::solve(const contact::PreparedProblem& problem, const VecX& guess) const {
   return solve(problem, guess, Budget(settings_.shared));
 }
 
-ContactSolution ApgdSolver::solve(const PreparedProblem& problem, const VecX& guess, const Budget& budget) const {
+contact::ContactSolution ApgdSolver::solve(const contact::PreparedProblem& problem, const VecX& guess,
+                                           const Budget& budget) const {
   demand_known("apgd", k_laws, problem.problem().law);
   demand_no_moments(name(), problem.problem());
   return solve_by_operator(problem, guess, settings_.shared, false, [&](IslandOperator& island, const VecX& start) {
@@ -170,7 +172,7 @@ ContactSolution ApgdSolver::solve(const PreparedProblem& problem, const VecX& gu
   });
 }
 
-ContactSolution ApgdSolver::solve(const LocalProblem& problem, const VecX& guess) const {
+contact::ContactSolution ApgdSolver::solve(const contact::LocalProblem& problem, const VecX& guess) const {
   demand_known("apgd", k_laws, problem.law);
   const Budget budget(settings_.shared);
   return solve_by_operator(problem, guess, settings_.shared, [&](IslandOperator& island, const VecX& start) {
@@ -178,4 +180,4 @@ ContactSolution ApgdSolver::solve(const LocalProblem& problem, const VecX& guess
   });
 }
 
-}  // namespace nilas
+}  // namespace nilas::solvers

@@ -16,10 +16,10 @@
 /// Laws: ccp, coulomb, pyramid-k, frictionless. Nominal tolerance 1e-8 m/s. Islands are solved apart.
 #include "contact/solvers/solver.h"
 
-namespace nilas {
+namespace nilas::solvers {
 
 struct ApgdSettings {
-  SolverSettings shared;
+  contact::SolverSettings shared;
   int stall_iterations = 5000;  ///< window of the stall rule (best_impulses.h); share 0.999
 };
 
@@ -29,13 +29,14 @@ class ApgdSolver final : public ContactSolver {
   using ContactSolver::solve;
   std::string name() const override { return "apgd"; }
   /// Solves with the statuses and errors of EgSolver::solve.
-  ContactSolution solve(const PreparedProblem& problem, const VecX& guess) const override;
-  ContactSolution solve(const LocalProblem& problem, const VecX& guess) const override;
+  contact::ContactSolution solve(const contact::PreparedProblem& problem, const VecX& guess) const override;
+  contact::ContactSolution solve(const contact::LocalProblem& problem, const VecX& guess) const override;
   /// Solves as a stage of a solve in progress, within `budget`.
-  ContactSolution solve(const PreparedProblem& problem, const VecX& guess, const Budget& budget) const;
+  contact::ContactSolution solve(const contact::PreparedProblem& problem, const VecX& guess,
+                                 const Budget& budget) const;
 
  private:
   ApgdSettings settings_;
 };
 
-}  // namespace nilas
+}  // namespace nilas::solvers

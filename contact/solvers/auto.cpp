@@ -19,7 +19,7 @@
 #include "contact/solvers/shared/row_residual.h"
 #include "core/base/error.h"
 
-namespace nilas {
+namespace nilas::solvers {
 
 namespace {
 
@@ -68,33 +68,33 @@ bool is_cold(const VecX& guess) { return guess.size() == 0 || guess.isZero(0); }
 
 /// The state of the climb of one island.
 struct Height {
-  const LocalProblem& island;
+  const contact::LocalProblem& island;
   const AutoSettings& settings;
   const Budget& budget;
   Log& log;
-  ContactSolution best;      ///< impulses, with the status of the last rung and the iterations of all
-  double map = 0;            ///< law_map of the best impulses [m/s]
-  bool is_hopeless = false;  ///< no rung can solve the island
+  contact::ContactSolution best;  ///< impulses, with the status of the last rung and the iterations of all
+  double map = 0;                 ///< law_map of the best impulses [m/s]
+  bool is_hopeless = false;       ///< no rung can solve the island
 
   bool goes_on() const {
-    return best.status != SolveStatus::converged && !is_hopeless && budget.allows(best.iterations);
+    return best.status != contact::SolveStatus::converged && !is_hopeless && budget.allows(best.iterations);
   }
   Budget stage(int most_iterations) const { return budget.after(best.iterations).capped(most_iterations); }
 
   /// Keeps the impulses of a rung where they are no worse. A rung that fails does not end the climb, unless no other
   /// rung could solve the island.
-  void take(const char* rung, const char* unit, const ContactSolution& found) {
+  void take(const char* rung, const char* unit, const contact::ContactSolution& found) {
     log.add(rung, unit, found.iterations);
     best.iterations += found.iterations;
     best.history.insert(best.history.end(), found.history.begin(), found.history.end());
     best.status = found.status;
     best.message = found.message;
-    const double found_map = measure(island, found.r).law_map_m_s;
+    const double found_map = contact::measure(island, found.r).law_map_m_s;
     if (found_map <= map) {
       map = found_map;
       best.r = found.r;
     }
-    is_hopeless = found.status == SolveStatus::numerical_error &&
+    is_hopeless = found.status == contact::SolveStatus::numerical_error &&
                   !find_culprit(island, best.r, settings.shared.tolerance).empty();
   }
 };
@@ -108,13 +108,13 @@ void sweep(const char* rung, int sweeps, Height& at) {
 bool is_stiff(const Height& at) {
   int sticking = 0;
   for (int c = 0; c < at.island.num_contacts(); ++c) {
-    const Vec3 r = at.best.r.segment<3>(row_of(c));
+    const Vec3 r = at.best.r.segment<3>(contact::row_of(c));
     constexpr double k_inside = 0.99;  // of the cone
     const double slip = k_inside * at.island.mu[c] * r[0];
     if (r[0] > 0 && r.tail<2>().norm() < slip) ++sticking;
   }
   if (sticking < at.settings.sticking_share * at.island.num_contacts()) return false;
-  return at.map > at.settings.stiff_share * measure(at.island, VecX::Zero(at.best.r.size())).law_map_m_s;
+  return at.map > at.settings.stiff_share * contact::measure(at.island, VecX::Zero(at.best.r.size())).law_map_m_s;
 }
 
 void alternate(Height& at) {
@@ -146,17 +146,17 @@ void interior_point(Height& at) {
 }
 
 /// The ladder of the header, from rung 1 (or, after sweeps of the whole problem, from rung 2).
-ContactSolution climb(const LocalProblem& island, const VecX& guess, Start start, const AutoSettings& settings,
-                      const Budget& budget, Log& log) {
+contact::ContactSolution climb(const contact::LocalProblem& island, const VecX& guess, Start start,
+                               const AutoSettings& settings, const Budget& budget, Log& log) {
   Height at{island, settings, budget, log, {}};
   at.best.r = guess.size() > 0 ? guess : VecX(VecX::Zero(island.q.size()));
-  at.best.status = SolveStatus::iteration_limit;
-  at.map = measure(island, at.best.r).law_map_m_s;
+  at.best.status = contact::SolveStatus::iteration_limit;
+  at.map = contact::measure(island, at.best.r).law_map_m_s;
   if (!std::isfinite(at.map)) {  // the guess is beyond all numbers
     at.best.r.setZero();
     at.map = std::numeric_limits<double>::infinity();
   }
-  if (at.map <= settings.shared.tolerance) at.best.status = SolveStatus::converged;
+  if (at.map <= settings.shared.tolerance) at.best.status = contact::SolveStatus::converged;
   const bool knows_cones = known_to_admm_and_ipm(island.law);
   // With bodies only islands come here that rung 1 could not solve from the guess, so it is not near their solution.
   const double first_weight = !start.cold && !start.swept ? k_warm_weight : k_cold_weight;
@@ -173,25 +173,26 @@ ContactSolution climb(const LocalProblem& island, const VecX& guess, Start start
 }
 
 /// The guess as the solution.
-ContactSolution accepted(const PreparedProblem& problem, const VecX& guess) {
-  ContactSolution solution;
+contact::ContactSolution accepted(const contact::PreparedProblem& problem, const VecX& guess) {
+  contact::ContactSolution solution;
   solution.r = guess;
-  solution.v = velocities(problem, guess);
-  solution.u = contact_velocities(problem.problem(), solution.v);
-  solution.status = SolveStatus::converged;
+  solution.v = contact::velocities(problem, guess);
+  solution.u = contact::contact_velocities(problem.problem(), solution.v);
+  solution.status = contact::SolveStatus::converged;
   solution.message = "guess";
   return solution;
 }
 
 /// The islands with a contact whose law_map is above the tolerance or not a number.
-std::vector<std::vector<int>> unsolved(const PreparedProblem& prepared, const VecX& r, double tolerance) {
-  const ContactProblem& problem = prepared.problem();
-  const VecX v = velocities(prepared, r);
+std::vector<std::vector<int>> unsolved(const contact::PreparedProblem& prepared, const VecX& r, double tolerance) {
+  const contact::ContactProblem& problem = prepared.problem();
+  const VecX v = contact::velocities(prepared, r);
   const auto is_solved = [&](int c) {
     const double d = prepared.inverse_mass_scales()[c];
-    const Vec3 r_c = r.segment<3>(row_of(c));
-    const Vec3 u = compliant_velocity(problem.compliance[c], r_c, contact_velocity(problem, c, v.data()));
-    return law_map(problem.law, problem.facets, contact_scale(problem, c, d), r_c, u) <= tolerance;
+    const Vec3 r_c = r.segment<3>(contact::row_of(c));
+    const Vec3 u =
+        contact::compliant_velocity(problem.compliance[c], r_c, contact::contact_velocity(problem, c, v.data()));
+    return contact::law_map(problem.law, problem.facets, contact::contact_scale(problem, c, d), r_c, u) <= tolerance;
   };
   auto islands = prepared.islands();
   std::erase_if(islands,
@@ -201,31 +202,38 @@ std::vector<std::vector<int>> unsolved(const PreparedProblem& prepared, const Ve
 
 /// Climbs for an island whose W is too large to be formed or factorised: more sweeps, then the projected gradient where
 /// it knows the law, each with half of the iterations. The better impulses go into `whole.r`, iterations into `whole`.
-SolveStatus solve_without_w(const ContactProblem& problem, const std::vector<int>& island, const AutoSettings& settings,
-                            const Budget& budget, Log& log, ContactSolution& whole) {
-  const ContactProblem part_problem = select(problem, island);
-  const PreparedProblem part(part_problem);
-  VecX r(row_of(island.size()));
-  for (std::size_t i = 0; i < island.size(); ++i) r.segment<3>(row_of(i)) = whole.r.segment<3>(row_of(island[i]));
-  const SolverSettings& shared = settings.shared;
-  ContactSolution found = NsgsSolver({.shared = shared}).solve(part, r, budget.capped((budget.iterations() + 1) / 2));
+contact::SolveStatus solve_without_w(const contact::ContactProblem& problem, const std::vector<int>& island,
+                                     const AutoSettings& settings, const Budget& budget, Log& log,
+                                     contact::ContactSolution& whole) {
+  const contact::ContactProblem part_problem = contact::select(problem, island);
+  const contact::PreparedProblem part(part_problem);
+  VecX r(contact::row_of(island.size()));
+  for (std::size_t i = 0; i < island.size(); ++i)
+    r.segment<3>(contact::row_of(i)) = whole.r.segment<3>(contact::row_of(island[i]));
+  const contact::SolverSettings& shared = settings.shared;
+  contact::ContactSolution found =
+      NsgsSolver({.shared = shared}).solve(part, r, budget.capped((budget.iterations() + 1) / 2));
   log.add("more nsgs", "sweeps", found.iterations);
-  if (found.status != SolveStatus::converged && part_problem.law != Law::pyramid && budget.allows(found.iterations)) {
+  if (found.status != contact::SolveStatus::converged && part_problem.law != Law::pyramid &&
+      budget.allows(found.iterations)) {
     const int swept = found.iterations;
-    ContactSolution next = ApgdSolver({.shared = shared}).solve(part, found.r, budget.after(swept));
+    contact::ContactSolution next = ApgdSolver({.shared = shared}).solve(part, found.r, budget.after(swept));
     log.add("apgd", "iterations", next.iterations);
-    const double map = measure(part, next.r).law_map_m_s, swept_map = measure(part, found.r).law_map_m_s;
+    const double map = contact::measure(part, next.r).law_map_m_s,
+                 swept_map = contact::measure(part, found.r).law_map_m_s;
     if (map <= swept_map || std::isnan(swept_map)) found = std::move(next);
     found.iterations += swept;
   }
-  for (std::size_t i = 0; i < island.size(); ++i) whole.r.segment<3>(row_of(island[i])) = found.r.segment<3>(row_of(i));
+  for (std::size_t i = 0; i < island.size(); ++i)
+    whole.r.segment<3>(contact::row_of(island[i])) = found.r.segment<3>(contact::row_of(i));
   whole.iterations += found.iterations;
-  if (found.status == SolveStatus::numerical_error) whole.message = found.message;
+  if (found.status == contact::SolveStatus::numerical_error) whole.message = found.message;
   return found.status;
 }
 
 /// Returns the budget of the first sweeps of a problem with bodies.
-Budget first_rung(const ContactProblem& problem, bool cold, const AutoSettings& settings, const Budget& budget) {
+Budget first_rung(const contact::ContactProblem& problem, bool cold, const AutoSettings& settings,
+                  const Budget& budget) {
   if (problem.has_moments()) return budget;  // with moments the ladder has one rung
   int sweeps = settings.first_sweeps;
   // half of the iterations is left for the next rungs
@@ -234,66 +242,68 @@ Budget first_rung(const ContactProblem& problem, bool cold, const AutoSettings& 
 }
 
 /// Writes the message: first the failure, then the rungs used.
-void describe(const Log& log, ContactSolution& solution) {
-  const std::string failure = solution.status == SolveStatus::numerical_error ? solution.message + "; " : "";
+void describe(const Log& log, contact::ContactSolution& solution) {
+  const std::string failure = solution.status == contact::SolveStatus::numerical_error ? solution.message + "; " : "";
   solution.message = failure + log.text();
 }
 
 }  // namespace
 
-ContactSolution AutoSolver::solve(const LocalProblem& problem, const VecX& guess) const {
+contact::ContactSolution AutoSolver::solve(const contact::LocalProblem& problem, const VecX& guess) const {
   const Budget budget(settings_.shared);
   const bool cold = is_cold(guess);
   Log log;
-  ContactSolution solution = solve_islands(problem, guess, [&](const LocalProblem& island, const VecX& start) {
-    return climb(island, start, {cold, false}, settings_, budget, log);
-  });
+  contact::ContactSolution solution =
+      solve_islands(problem, guess, [&](const contact::LocalProblem& island, const VecX& start) {
+        return climb(island, start, {cold, false}, settings_, budget, log);
+      });
   describe(log, solution);
   return solution;
 }
 
-ContactSolution AutoSolver::solve(const PreparedProblem& prepared, const VecX& guess) const {
-  const ContactProblem& problem = prepared.problem();
-  NILAS_DEMAND(guess.size() == 0 || guess.size() == row_of(problem.num_contacts()));
+contact::ContactSolution AutoSolver::solve(const contact::PreparedProblem& prepared, const VecX& guess) const {
+  const contact::ContactProblem& problem = prepared.problem();
+  NILAS_DEMAND(guess.size() == 0 || guess.size() == contact::row_of(problem.num_contacts()));
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const double tolerance = settings_.shared.tolerance;
   const bool cold = is_cold(guess);
-  double guess_map = guess.size() > 0 ? measure(prepared, guess).law_map_m_s : infinity;
+  double guess_map = guess.size() > 0 ? contact::measure(prepared, guess).law_map_m_s : infinity;
   if (guess_map <= tolerance) return accepted(prepared, guess);
   if (std::isnan(guess_map)) guess_map = infinity;
   AutoSettings running = settings_;
   running.shared = with_margin(settings_.shared);
   const Budget budget(settings_.shared);
   Log log;
-  ContactSolution swept =
+  contact::ContactSolution swept =
       NsgsSolver({.shared = running.shared}).solve(prepared, guess, first_rung(problem, cold, settings_, budget));
   log.add("nsgs", "sweeps", swept.iterations);
-  if (swept.status == SolveStatus::converged || problem.has_moments()) {
+  if (swept.status == contact::SolveStatus::converged || problem.has_moments()) {
     describe(log, swept);
     return swept;
   }
-  const double swept_map = measure(prepared, swept.r).law_map_m_s;
+  const double swept_map = contact::measure(prepared, swept.r).law_map_m_s;
   if (guess_map < swept_map || (std::isnan(swept_map) && std::isfinite(guess_map))) swept.r = guess;
   const Budget left = budget.after(swept.iterations);
   auto islands = unsolved(prepared, swept.r, running.shared.tolerance);
-  const auto first_large =
-      std::stable_partition(islands.begin(), islands.end(), [&](const auto& i) { return is_reducible(problem, i); });
-  SolveStatus large = SolveStatus::converged;
+  const auto first_large = std::stable_partition(islands.begin(), islands.end(),
+                                                 [&](const auto& i) { return contact::is_reducible(problem, i); });
+  contact::SolveStatus large = contact::SolveStatus::converged;
   for (auto island = first_large; island != islands.end(); ++island)
-    large = worse(large, solve_without_w(problem, *island, running, left, log, swept));
+    large = contact::worse(large, solve_without_w(problem, *island, running, left, log, swept));
   islands.erase(first_large, islands.end());
-  ContactSolution solution =
-      solve_islands(prepared, islands, swept.r, [&](const LocalProblem& island, const VecX& start) {
+  contact::ContactSolution solution =
+      solve_islands(prepared, islands, swept.r, [&](const contact::LocalProblem& island, const VecX& start) {
         return climb(island, start, {cold, true}, running, left, log);
       });
   solution.iterations += swept.iterations;
-  if (large == SolveStatus::numerical_error && solution.message.empty()) solution.message = swept.message;
-  solution.status = worse(solution.status, large);
+  if (large == contact::SolveStatus::numerical_error && solution.message.empty()) solution.message = swept.message;
+  solution.status = contact::worse(solution.status, large);
   solution.history.insert(solution.history.begin(), swept.history.begin(), swept.history.end());
-  if (solution.status == SolveStatus::converged && !(measure(prepared, solution.r).law_map_m_s <= tolerance))
-    solution.status = SolveStatus::stalled;
+  if (solution.status == contact::SolveStatus::converged &&
+      !(contact::measure(prepared, solution.r).law_map_m_s <= tolerance))
+    solution.status = contact::SolveStatus::stalled;
   describe(log, solution);
   return solution;
 }
 
-}  // namespace nilas
+}  // namespace nilas::solvers

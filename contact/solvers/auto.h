@@ -25,10 +25,10 @@
 /// how many islands, and the most iterations that one island took of it.
 #include "contact/solvers/solver.h"
 
-namespace nilas {
+namespace nilas::solvers {
 
 struct AutoSettings {
-  SolverSettings shared;  ///< max_iterations counts sweeps and factorisations of an island together
+  contact::SolverSettings shared;  ///< max_iterations counts sweeps and factorisations of an island together
   int first_sweeps = 20;
   int warm_sweeps = 250;          ///< sweeps of rung 1 with bodies and a guess, at most half of all iterations
   double stiff_share = 0.01;      ///< share of the residual of no impulses above which an island goes to rung 2 ...
@@ -48,11 +48,11 @@ class AutoSolver final : public ContactSolver {
   std::string name() const override { return "auto"; }
   /// converged: every island's law_map_m_s is at most the tolerance, as `measure` finds it on the impulses returned.
   /// Otherwise the status of the last rung.
-  ContactSolution solve(const PreparedProblem& problem, const VecX& guess) const override;
-  ContactSolution solve(const LocalProblem& problem, const VecX& guess) const override;
+  contact::ContactSolution solve(const contact::PreparedProblem& problem, const VecX& guess) const override;
+  contact::ContactSolution solve(const contact::LocalProblem& problem, const VecX& guess) const override;
 
  private:
   AutoSettings settings_;
 };
 
-}  // namespace nilas
+}  // namespace nilas::solvers

@@ -10,10 +10,11 @@
 /// Source: Allgower & Georg 1990 (numerical continuation).
 #include "contact/solvers/newton.h"
 
-namespace nilas {
+namespace nilas::solvers {
 
 /// One island. iterations: factorisations and sweeps of all solves, at most those of the budget. The impulses
 /// are those of the largest s that was solved, or of the sweeps where newton fails at s = 0.2; converged only at s = 1.
-ContactSolution continue_in_friction(const LocalProblem& island, const NewtonSettings& settings, const Budget& budget);
+contact::ContactSolution continue_in_friction(const contact::LocalProblem& island, const NewtonSettings& settings,
+                                              const Budget& budget);
 
-}  // namespace nilas
+}  // namespace nilas::solvers

@@ -10,7 +10,7 @@
 #include "core/base/order_free_sum.h"
 #include "core/base/parallel.h"
 
-namespace nilas {
+namespace nilas::solvers {
 
 namespace {
 
@@ -31,7 +31,7 @@ struct Game {
   IslandOperator& island;
   bool order_free;
 
-  const ContactScale& scale(std::ptrdiff_t c) const { return island.scales()[c]; }
+  const contact::ContactScale& scale(std::ptrdiff_t c) const { return island.scales()[c]; }
   Vec3 project(std::ptrdiff_t c, const Vec3& x) const {
     return project_law(island.law(), island.facets(), scale(c), x);
   }
@@ -58,7 +58,7 @@ struct Game {
 VecX moved(const Game& game, const VecX& r, const VecX& u, double rho) {
   VecX next(r.size());
   game.for_each_contact([&](std::ptrdiff_t c) {
-    const ContactScale& scale = game.scale(c);
+    const contact::ContactScale& scale = game.scale(c);
     const Vec3 f = game.force(c, u);
     if (scale.d == 0)
       segment(next, c) = Vec3(f[0] < 0 && std::isfinite(scale.force_limit) ? scale.force_limit : 0.0, 0, 0);
@@ -81,7 +81,8 @@ double change_ratio(const Game& game, const VecX& r, const VecX& u, const VecX& 
   return impulse > 0 ? rho * std::sqrt(force / impulse) : k_accepted_ratio;
 }
 
-ContactSolution iterate(IslandOperator& island, const VecX& guess, const EgSettings& settings, const Budget& budget) {
+contact::ContactSolution iterate(IslandOperator& island, const VecX& guess, const EgSettings& settings,
+                                 const Budget& budget) {
   const Game game{island, settings.order_free};
   VecX r(guess.size()), u, trial, trial_u;
   game.for_each_contact([&](std::ptrdiff_t c) { segment(r, c) = game.project(c, segment(guess, c)); });
@@ -113,11 +114,12 @@ ContactSolution iterate(IslandOperator& island, const VecX& guess, const EgSetti
 
 }  // namespace
 
-ContactSolution EgSolver::solve(const PreparedProblem& problem, const VecX& guess) const {
+contact::ContactSolution EgSolver::solve(const contact::PreparedProblem& problem, const VecX& guess) const {
   return solve(problem, guess, Budget(settings_.shared));
 }
 
-ContactSolution EgSolver::solve(const PreparedProblem& problem, const VecX& guess, const Budget& budget) const {
+contact::ContactSolution EgSolver::solve(const contact::PreparedProblem& problem, const VecX& guess,
+                                         const Budget& budget) const {
   demand_known("eg", k_laws, problem.problem().law);
   demand_no_moments(name(), problem.problem());
   EgSettings own = settings_;
@@ -128,7 +130,7 @@ ContactSolution EgSolver::solve(const PreparedProblem& problem, const VecX& gues
   });
 }
 
-ContactSolution EgSolver::solve(const LocalProblem& problem, const VecX& guess) const {
+contact::ContactSolution EgSolver::solve(const contact::LocalProblem& problem, const VecX& guess) const {
   demand_known("eg", k_laws, problem.law);
   const Budget budget(settings_.shared);
   return solve_by_operator(problem, guess, settings_.shared, [&](IslandOperator& island, const VecX& start) {
@@ -136,4 +138,4 @@ ContactSolution EgSolver::solve(const LocalProblem& problem, const VecX& guess) 
   });
 }
 
-}  // namespace nilas
+}  // namespace nilas::solvers

@@ -17,10 +17,10 @@
 /// Laws: coulomb, ccp, pyramid-k, frictionless. Nominal tolerance 1e-8 m/s. Islands are solved apart.
 #include "contact/solvers/solver.h"
 
-namespace nilas {
+namespace nilas::solvers {
 
 struct EgSettings {
-  SolverSettings shared;
+  contact::SolverSettings shared;
   int stall_iterations = 2000;  ///< window of the stall rule (best_impulses.h); share 0.999
   bool order_free = false;
 };
@@ -33,13 +33,14 @@ class EgSolver final : public ContactSolver {
   /// converged: law_map_m_s is at most the tolerance as `measure` finds it; else the best impulses measured. With
   /// tolerance 0 nothing is measured. numerical_error: input that is not finite, or a contact that cannot yield.
   /// Throws InputError for the law pyramid, whose bounds depend on r_N, and for rolling or spinning friction.
-  ContactSolution solve(const PreparedProblem& problem, const VecX& guess) const override;
-  ContactSolution solve(const LocalProblem& problem, const VecX& guess) const override;
+  contact::ContactSolution solve(const contact::PreparedProblem& problem, const VecX& guess) const override;
+  contact::ContactSolution solve(const contact::LocalProblem& problem, const VecX& guess) const override;
   /// Solves as a stage of a solve in progress, within `budget`.
-  ContactSolution solve(const PreparedProblem& problem, const VecX& guess, const Budget& budget) const;
+  contact::ContactSolution solve(const contact::PreparedProblem& problem, const VecX& guess,
+                                 const Budget& budget) const;
 
  private:
   EgSettings settings_;
 };
 
-}  // namespace nilas
+}  // namespace nilas::solvers

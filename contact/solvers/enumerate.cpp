@@ -8,7 +8,7 @@
 #include "contact/solvers/shared/row_residual.h"
 #include "core/base/error.h"
 
-namespace nilas {
+namespace nilas::solvers {
 
 namespace {
 
@@ -24,7 +24,7 @@ enum class State { open, stick, slip, stick_at_limit, slip_at_limit };
 /// One combination: the entries of r that it leaves free, and as many equations.
 class Combination {
  public:
-  Combination(const LocalProblem& problem, const MatX& w, const std::vector<State>& states)
+  Combination(const contact::LocalProblem& problem, const MatX& w, const std::vector<State>& states)
       : problem_(problem), w_(w), states_(states) {
     for (std::size_t c = 0; c < states.size(); ++c) {
       const bool limited = states[c] == State::stick_at_limit || states[c] == State::slip_at_limit;
@@ -49,7 +49,7 @@ class Combination {
   }
 
  private:
-  static Eigen::Index row(std::size_t c) { return row_of(c); }
+  static Eigen::Index row(std::size_t c) { return contact::row_of(c); }
 
   /// Sets the entries that are not free.
   void fix(VecX& r) const {
@@ -87,13 +87,13 @@ class Combination {
     slopes.block<2, 2>(n + 1, n + 1).diagonal().array() += speed;
   }
 
-  const LocalProblem& problem_;
+  const contact::LocalProblem& problem_;
   const MatX& w_;
   const std::vector<State>& states_;
   std::vector<Eigen::Index> free_;
 };
 
-std::vector<State> states_of(const LocalProblem& problem, std::size_t c) {
+std::vector<State> states_of(const contact::LocalProblem& problem, std::size_t c) {
   const bool friction = problem.law != Law::frictionless && problem.mu[c] > 0;
   const bool limited = std::isfinite(problem.force_limit[c]);
   std::vector<State> states{State::open};
@@ -105,7 +105,7 @@ std::vector<State> states_of(const LocalProblem& problem, std::size_t c) {
 }
 
 /// All combinations, those with more open contacts first.
-std::vector<std::vector<State>> combinations(const LocalProblem& problem) {
+std::vector<std::vector<State>> combinations(const contact::LocalProblem& problem) {
   std::vector<std::vector<State>> all{{}};
   for (std::size_t c = 0; c < problem.mu.size(); ++c) {
     std::vector<std::vector<State>> longer;
@@ -123,21 +123,21 @@ std::vector<std::vector<State>> combinations(const LocalProblem& problem) {
   return all;
 }
 
-MatX dense_matrix(const LocalProblem& problem) {
-  MatX w = sparse_matrix(problem);
+MatX dense_matrix(const contact::LocalProblem& problem) {
+  MatX w = contact::sparse_matrix(problem);
   for (int c = 0; c < problem.num_contacts(); ++c) w(3 * c, 3 * c) += problem.compliance[c];
   return w;
 }
 
 class Search {
  public:
-  Search(const LocalProblem& problem, double tolerance)
+  Search(const contact::LocalProblem& problem, double tolerance)
       : problem_(problem), tolerance_(tolerance), w_(dense_matrix(problem)) {
     best_.r = VecX::Zero(problem.q.size());
-    best_.status = SolveStatus::stalled;
+    best_.status = contact::SolveStatus::stalled;
   }
 
-  ContactSolution run() {
+  contact::ContactSolution run() {
     for (const auto& states : combinations(problem_)) {
       ++best_.iterations;
       const Combination combination(problem_, w_, states);
@@ -166,26 +166,26 @@ class Search {
   bool try_start(const Combination& combination, double turn) {
     VecX r = start(turn);
     if (!combination.solve(r)) return false;
-    const double law_map = measure(problem_, r).law_map_m_s;
+    const double law_map = contact::measure(problem_, r).law_map_m_s;
     if (law_map < least_) {
       least_ = law_map;
       best_.r = r;
     }
-    if (law_map <= tolerance_) best_.status = SolveStatus::converged;
+    if (law_map <= tolerance_) best_.status = contact::SolveStatus::converged;
     return law_map <= tolerance_;
   }
 
   static constexpr double k_smallest = 1e-300;  ///< stands for the inverse mass of what cannot move [1/kg]
 
-  const LocalProblem& problem_;
+  const contact::LocalProblem& problem_;
   double tolerance_;
   MatX w_;
-  ContactSolution best_;
+  contact::ContactSolution best_;
   double least_ = std::numeric_limits<double>::infinity();
 };
 
-ContactSolution try_all(const LocalProblem& island, double tolerance) {
-  ContactSolution solution;
+contact::ContactSolution try_all(const contact::LocalProblem& island, double tolerance) {
+  contact::ContactSolution solution;
   solution.r = VecX::Zero(island.q.size());
   if (island.num_contacts() > k_most_contacts) {
     solution.message = "solver 'enumerate' knows islands of up to " + std::to_string(k_most_contacts) +
@@ -195,7 +195,7 @@ ContactSolution try_all(const LocalProblem& island, double tolerance) {
   solution = Search(island, tolerance).run();
   const std::string culprit = find_culprit(island, solution.r, tolerance);
   if (culprit.empty()) return solution;
-  solution.status = SolveStatus::numerical_error;
+  solution.status = contact::SolveStatus::numerical_error;
   solution.message = culprit;
   return solution;
 }
@@ -206,9 +206,9 @@ void EnumerateSolver::demand_law(Law law) const {
   demand_known("enumerate", {Law::coulomb, Law::ccp, Law::frictionless}, law);
 }
 
-ContactSolution EnumerateSolver::solve_island(const LocalProblem& island, const VecX&, const SolverSettings& shared,
-                                              const Budget&) const {
+contact::ContactSolution EnumerateSolver::solve_island(const contact::LocalProblem& island, const VecX&,
+                                                       const contact::SolverSettings& shared, const Budget&) const {
   return try_all(island, shared.tolerance);
 }
 
-}  // namespace nilas
+}  // namespace nilas::solvers

@@ -15,10 +15,10 @@
 /// Laws: coulomb, ccp, frictionless. Nominal tolerance 1e-10 m/s. Islands are solved apart.
 #include "contact/solvers/solver.h"
 
-namespace nilas {
+namespace nilas::solvers {
 
 struct EnumerateSettings {
-  SolverSettings shared;
+  contact::SolverSettings shared;
 };
 
 class EnumerateSolver final : public IslandSolver {
@@ -29,11 +29,11 @@ class EnumerateSolver final : public IslandSolver {
   /// returned. numerical_error: an island of more than 8 contacts, or one that cannot yield. `guess` is not used.
   /// Throws InputError for the pyramid laws.
   void demand_law(Law law) const override;
-  ContactSolution solve_island(const LocalProblem& island, const VecX& guess, const SolverSettings& shared,
-                               const Budget& budget) const override;
+  contact::ContactSolution solve_island(const contact::LocalProblem& island, const VecX& guess,
+                                        const contact::SolverSettings& shared, const Budget& budget) const override;
 
  private:
   EnumerateSettings settings_;
 };
 
-}  // namespace nilas
+}  // namespace nilas::solvers

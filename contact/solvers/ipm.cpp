@@ -9,7 +9,7 @@
 #include "contact/solvers/shared/best_impulses.h"
 #include "core/base/error.h"
 
-namespace nilas {
+namespace nilas::solvers {
 
 namespace {
 
@@ -34,8 +34,9 @@ VecX offset(const MassScaled& problem, const VecX& r) {
   return sum;
 }
 
-ContactSolution solve_rounds(const LocalProblem& island, const VecX& guess, const IpmSettings& settings,
-                             const SolverSettings& shared, const Budget& budget) {
+contact::ContactSolution solve_rounds(const contact::LocalProblem& island, const VecX& guess,
+                                      const IpmSettings& settings, const contact::SolverSettings& shared,
+                                      const Budget& budget) {
   const MassScaled problem = mass_scaled(island);
   InteriorPoint inner(problem);
   BestImpulses best(shared.tolerance, budget, {k_no_window, k_halved});
@@ -43,7 +44,7 @@ ContactSolution solve_rounds(const LocalProblem& island, const VecX& guess, cons
   const auto offer = [&](const VecX& scaled) {
     if (!scaled.allFinite()) return;
     const VecX r = problem.impulses(scaled);
-    const double residual = measure(island, r).law_map_m_s;
+    const double residual = contact::measure(island, r).law_map_m_s;
     if (shared.keep_history) best.note(residual);
     best.offer(r, residual);
   };
@@ -88,7 +89,7 @@ ContactSolution solve_rounds(const LocalProblem& island, const VecX& guess, cons
     if (rule.has_stalled(best.residual(), round) || change == 0) best.stall();
   }
   if (round > 0 && failed == round) best.fail("ipm: W and the barrier together are not positive definite");
-  ContactSolution solution = std::move(best).solution();
+  contact::ContactSolution solution = std::move(best).solution();
   if (solution.r.size() == 0) solution.r = VecX::Zero(island.q.size());
   return solution;
 }
@@ -97,10 +98,10 @@ ContactSolution solve_rounds(const LocalProblem& island, const VecX& guess, cons
 
 void IpmSolver::demand_law(Law law) const { demand_known("ipm", {Law::coulomb, Law::ccp, Law::frictionless}, law); }
 
-ContactSolution IpmSolver::solve_island(const LocalProblem& island, const VecX& guess, const SolverSettings& shared,
-                                        const Budget& budget) const {
+contact::ContactSolution IpmSolver::solve_island(const contact::LocalProblem& island, const VecX& guess,
+                                                 const contact::SolverSettings& shared, const Budget& budget) const {
   if (const auto still = solve_immovable(island)) return *still;
   return solve_rounds(island, guess, settings_, shared, budget);
 }
 
-}  // namespace nilas
+}  // namespace nilas::solvers

@@ -19,13 +19,13 @@
 /// Nominal tolerances: 1e-9 m/s. Islands are solved apart.
 #include "contact/solvers/solver.h"
 
-namespace nilas {
+namespace nilas::solvers {
 
 struct IpmSettings {
-  SolverSettings shared;       ///< max_iterations counts factorisations, inner and Newton's
-  int max_rounds = 60;         ///< most rounds of the outer loop
-  int stall_rounds = 20;       ///< window of the stall rule (best_impulses.h), in rounds; share 0.5
-  int finish_iterations = 20;  ///< Newton's factorisations per round; 0: none
+  contact::SolverSettings shared;  ///< max_iterations counts factorisations, inner and Newton's
+  int max_rounds = 60;             ///< most rounds of the outer loop
+  int stall_rounds = 20;           ///< window of the stall rule (best_impulses.h), in rounds; share 0.5
+  int finish_iterations = 20;      ///< Newton's factorisations per round; 0: none
 };
 
 class IpmSolver final : public IslandSolver {
@@ -35,11 +35,11 @@ class IpmSolver final : public IslandSolver {
   /// converged: law_map_m_s as `measure` finds it is at most the tolerance in every island. The best impulses seen are
   /// returned whatever the status. Throws InputError for laws other than coulomb, ccp and frictionless.
   void demand_law(Law law) const override;
-  ContactSolution solve_island(const LocalProblem& island, const VecX& guess, const SolverSettings& shared,
-                               const Budget& budget) const override;
+  contact::ContactSolution solve_island(const contact::LocalProblem& island, const VecX& guess,
+                                        const contact::SolverSettings& shared, const Budget& budget) const override;
 
  private:
   IpmSettings settings_;
 };
 
-}  // namespace nilas
+}  // namespace nilas::solvers

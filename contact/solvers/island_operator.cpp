@@ -9,21 +9,21 @@
 #include "contact/solvers/solver.h"
 #include "core/base/parallel.h"
 
-namespace nilas {
+namespace nilas::solvers {
 
 namespace {
 
 class LocalOperator final : public IslandOperator {
  public:
-  explicit LocalOperator(const LocalProblem& problem) : problem_(problem) {
+  explicit LocalOperator(const contact::LocalProblem& problem) : problem_(problem) {
     law_ = problem.law;
     facets_ = problem.facets;
-    for (int c = 0; c < problem.num_contacts(); ++c) scales_.push_back(contact_scale(problem, c));
+    for (int c = 0; c < problem.num_contacts(); ++c) scales_.push_back(contact::contact_scale(problem, c));
   }
 
   void velocities(const VecX& r, VecX& u) override {
-    u = contact_velocities(problem_, r);
-    for (int c = 0; c < num_contacts(); ++c) u[row_of(c)] += problem_.compliance[c] * r[row_of(c)];
+    u = contact::contact_velocities(problem_, r);
+    for (int c = 0; c < num_contacts(); ++c) u[contact::row_of(c)] += problem_.compliance[c] * r[contact::row_of(c)];
   }
 
   double law_map(const VecX& r) override {
@@ -33,7 +33,7 @@ class LocalOperator final : public IslandOperator {
   }
 
  private:
-  const LocalProblem& problem_;
+  const contact::LocalProblem& problem_;
 };
 
 class RowsOperator final : public IslandOperator {
@@ -55,7 +55,7 @@ class RowsOperator final : public IslandOperator {
   }
 
   double law_map(const VecX& r) override {
-    for (int c = 0; c < num_contacts(); ++c) std::copy_n(r.data() + row_of(c), 3, contact(c).r);
+    for (int c = 0; c < num_contacts(); ++c) std::copy_n(r.data() + contact::row_of(c), 3, contact(c).r);
     if (!order_free_) return island_.residual.law_map(island_.rows, island_.island);
     VecX u;
     velocities(r, u);
@@ -100,14 +100,14 @@ double IslandOperator::estimate(const VecX& r, const VecX& u) const {
   };
   parallel_chunks(num_contacts(), k_chunk, threads_, [&](std::ptrdiff_t k, std::ptrdiff_t first, std::ptrdiff_t last) {
     for (std::ptrdiff_t c = first; c < last; ++c)
-      keep(nilas::law_map(law_, facets_, scales_[c], r.segment<3>(3 * c), u.segment<3>(3 * c)), worst_of[k]);
+      keep(nilas::contact::law_map(law_, facets_, scales_[c], r.segment<3>(3 * c), u.segment<3>(3 * c)), worst_of[k]);
   });
   double worst = 0;
   for (const double map : worst_of) keep(map, worst);
   return worst;
 }
 
-std::unique_ptr<IslandOperator> make_operator(const LocalProblem& island) {
+std::unique_ptr<IslandOperator> make_operator(const contact::LocalProblem& island) {
   return std::make_unique<LocalOperator>(island);
 }
 
@@ -115,37 +115,41 @@ std::unique_ptr<IslandOperator> make_operator(const RowIsland& island, bool orde
   return std::make_unique<RowsOperator>(island, order_free);
 }
 
-ContactSolution solve_by_operator(const LocalProblem& problem, const VecX& guess, const SolverSettings& shared,
-                                  const OperatorSolve& solve) {
-  return solve_islands(problem, guess, [&](const LocalProblem& island, const VecX& start) {
+contact::ContactSolution solve_by_operator(const contact::LocalProblem& problem, const VecX& guess,
+                                           const contact::SolverSettings& shared, const OperatorSolve& solve) {
+  return solve_islands(problem, guess, [&](const contact::LocalProblem& island, const VecX& start) {
     const auto as_operator = make_operator(island);
-    ContactSolution solution = solve(*as_operator, start.size() > 0 ? start : VecX(VecX::Zero(island.q.size())));
+    contact::ContactSolution solution =
+        solve(*as_operator, start.size() > 0 ? start : VecX(VecX::Zero(island.q.size())));
     const std::string culprit = find_culprit(island, solution.r, shared.tolerance);
     if (!culprit.empty()) {
-      solution.status = SolveStatus::numerical_error;
+      solution.status = contact::SolveStatus::numerical_error;
       solution.message = culprit;
     }
     return solution;
   });
 }
 
-ContactSolution solve_by_operator(const PreparedProblem& problem, const VecX& guess, const SolverSettings& shared,
-                                  bool order_free, const OperatorSolve& solve) {
-  ContactSolution out = solve_row_islands(problem, guess, shared, RowOrder::given, [&](const RowIsland& island) {
-    VecX start(row_of(island.island.last - island.island.first));
-    for (int k = island.island.first; k < island.island.last; ++k)
-      start.segment<3>(row_of(k - island.island.first)) = Eigen::Map<const Vec3>(island.rows.contacts[k].r);
-    const auto as_operator = make_operator(island, order_free);
-    ContactSolution solution = solve(*as_operator, start);
-    for (int k = island.island.first; k < island.island.last; ++k)
-      std::copy_n(solution.r.data() + row_of(k - island.island.first), 3, island.rows.contacts[k].r);
-    return solution;
-  });
+contact::ContactSolution solve_by_operator(const contact::PreparedProblem& problem, const VecX& guess,
+                                           const contact::SolverSettings& shared, bool order_free,
+                                           const OperatorSolve& solve) {
+  contact::ContactSolution out =
+      solve_row_islands(problem, guess, shared, RowOrder::given, [&](const RowIsland& island) {
+        VecX start(contact::row_of(island.island.last - island.island.first));
+        for (int k = island.island.first; k < island.island.last; ++k)
+          start.segment<3>(contact::row_of(k - island.island.first)) =
+              Eigen::Map<const Vec3>(island.rows.contacts[k].r);
+        const auto as_operator = make_operator(island, order_free);
+        contact::ContactSolution solution = solve(*as_operator, start);
+        for (int k = island.island.first; k < island.island.last; ++k)
+          std::copy_n(solution.r.data() + contact::row_of(k - island.island.first), 3, island.rows.contacts[k].r);
+        return solution;
+      });
   if (order_free) {
     out.v = order_free_velocities(problem, out.r);
-    out.u = contact_velocities(problem.problem(), out.v);
+    out.u = contact::contact_velocities(problem.problem(), out.v);
   }
   return out;
 }
 
-}  // namespace nilas
+}  // namespace nilas::solvers

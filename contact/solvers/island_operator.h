@@ -5,7 +5,7 @@
 
 #include "contact/solvers/shared/row_islands.h"
 
-namespace nilas {
+namespace nilas::solvers {
 
 class IslandOperator {
  public:
@@ -13,7 +13,7 @@ class IslandOperator {
   int num_contacts() const { return static_cast<int>(scales_.size()); }
   Law law() const { return law_; }
   int facets() const { return facets_; }
-  const std::vector<ContactScale>& scales() const { return scales_; }
+  const std::vector<contact::ContactScale>& scales() const { return scales_; }
 
   int threads() const { return threads_; }  ///< threads for work on all contacts
 
@@ -29,20 +29,21 @@ class IslandOperator {
   Law law_ = Law::coulomb;
   int facets_ = 8;
   int threads_ = 1;
-  std::vector<ContactScale> scales_;
+  std::vector<contact::ContactScale> scales_;
 };
 
-std::unique_ptr<IslandOperator> make_operator(const LocalProblem& island);
+std::unique_ptr<IslandOperator> make_operator(const contact::LocalProblem& island);
 /// `order_free`: as in BlockSums, the residual included.
 std::unique_ptr<IslandOperator> make_operator(const RowIsland& island, bool order_free);
 
 /// Solves one island from `guess` (3 nc, admissible or not); r of the solution holds the impulses found.
-using OperatorSolve = std::function<ContactSolution(IslandOperator& island, const VecX& guess)>;
+using OperatorSolve = std::function<contact::ContactSolution(IslandOperator& island, const VecX& guess)>;
 
-ContactSolution solve_by_operator(const LocalProblem& problem, const VecX& guess, const SolverSettings& shared,
-                                  const OperatorSolve& solve);
+contact::ContactSolution solve_by_operator(const contact::LocalProblem& problem, const VecX& guess,
+                                           const contact::SolverSettings& shared, const OperatorSolve& solve);
 /// `order_free`: r, v and u too have bits that do not depend on the order of contacts and bodies.
-ContactSolution solve_by_operator(const PreparedProblem& problem, const VecX& guess, const SolverSettings& shared,
-                                  bool order_free, const OperatorSolve& solve);
+contact::ContactSolution solve_by_operator(const contact::PreparedProblem& problem, const VecX& guess,
+                                           const contact::SolverSettings& shared, bool order_free,
+                                           const OperatorSolve& solve);
 
-}  // namespace nilas
+}  // namespace nilas::solvers

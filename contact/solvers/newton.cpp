@@ -8,7 +8,7 @@
 #include "contact/solvers/shared/mass_scaled.h"
 #include "core/base/error.h"
 
-namespace nilas {
+namespace nilas::solvers {
 
 namespace {
 
@@ -86,17 +86,17 @@ InnerEnd solve_inner(NewtonSystem& system, const NewtonSettings& settings, doubl
 
 }  // namespace
 
-ContactSolution newton_island(const LocalProblem& island, const VecX& guess, const NewtonSettings& settings,
-                              const Budget& budget) {
+contact::ContactSolution newton_island(const contact::LocalProblem& island, const VecX& guess,
+                                       const NewtonSettings& settings, const Budget& budget) {
   if (const auto immovable = solve_immovable(island)) return *immovable;
   NewtonSystem system(island, settings.order_free);
   BestImpulses best(settings.shared.tolerance, budget.capped(settings.max_factorisations), {k_no_window, 1});
   const auto offer = [&](const VecX& scaled) {
     const VecX r = system.impulses(scaled);
-    best.offer(r, settings.order_free ? system.law_map(scaled) : measure(island, r).law_map_m_s);
+    best.offer(r, settings.order_free ? system.law_map(scaled) : contact::measure(island, r).law_map_m_s);
   };
   const auto note = [&](const VecX& scaled) {
-    if (settings.shared.keep_history) best.note(measure(island, system.impulses(scaled)).law_map_m_s);
+    if (settings.shared.keep_history) best.note(contact::measure(island, system.impulses(scaled)).law_map_m_s);
   };
 
   VecX r = guess.size() > 0 ? system.scaled(guess) : VecX(VecX::Zero(island.q.size()));
@@ -132,16 +132,16 @@ ContactSolution newton_island(const LocalProblem& island, const VecX& guess, con
       best.stall();
     }
   }
-  ContactSolution solution = std::move(best).solution();
+  contact::ContactSolution solution = std::move(best).solution();
   if (solution.r.size() == 0) solution.r = VecX::Zero(island.q.size());
   return solution;
 }
 
-ContactSolution NewtonSolver::solve_island(const LocalProblem& island, const VecX& guess, const SolverSettings& shared,
-                                           const Budget& budget) const {
+contact::ContactSolution NewtonSolver::solve_island(const contact::LocalProblem& island, const VecX& guess,
+                                                    const contact::SolverSettings& shared, const Budget& budget) const {
   NewtonSettings own = settings_;
   own.shared = shared;
   return newton_island(island, guess, own, budget);
 }
 
-}  // namespace nilas
+}  // namespace nilas::solvers

@@ -19,10 +19,10 @@
 /// Laws: all. Nominal tolerances: 1e-6 m/s in simulations, 1e-10 m/s as a reference. Islands are solved apart.
 #include "contact/solvers/solver.h"
 
-namespace nilas {
+namespace nilas::solvers {
 
 struct NewtonSettings {
-  SolverSettings shared;
+  contact::SolverSettings shared;
   double first_weight = 1e-3;   ///< a at the start [-]
   double least_weight = 1e-13;  ///< least a; below it a is lost in rounding against W', whose diagonal is about 1 [-]
   double plunge = 0.01, fall = 0.3;  ///< factors of the weight after a good inner solve in very few or few steps
@@ -41,15 +41,15 @@ class NewtonSolver final : public IslandSolver {
   /// converged: every island's law_map_m_s is at most the tolerance, as `measure` finds it on the impulses returned.
   /// iterations: factorisations of the island that took most. stalled, iteration_limit: the impulses are the best
   /// found. numerical_error: input that is not finite, or a contact that closes, cannot move and has no force limit.
-  ContactSolution solve_island(const LocalProblem& island, const VecX& guess, const SolverSettings& shared,
-                               const Budget& budget) const override;
+  contact::ContactSolution solve_island(const contact::LocalProblem& island, const VecX& guess,
+                                        const contact::SolverSettings& shared, const Budget& budget) const override;
 
  private:
   NewtonSettings settings_;
 };
 
 /// The same for one island, as a stage of a solve that runs.
-ContactSolution newton_island(const LocalProblem& island, const VecX& guess, const NewtonSettings& settings,
-                              const Budget& budget);
+contact::ContactSolution newton_island(const contact::LocalProblem& island, const VecX& guess,
+                                       const NewtonSettings& settings, const Budget& budget);
 
-}  // namespace nilas
+}  // namespace nilas::solvers

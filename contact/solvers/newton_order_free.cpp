@@ -4,7 +4,7 @@
 #include "contact/solvers/newton.h"
 #include "contact/solvers/shared/order_free_velocities.h"
 
-namespace nilas {
+namespace nilas::solvers {
 
 namespace {
 
@@ -12,42 +12,44 @@ constexpr std::initializer_list<Law> k_laws{Law::coulomb, Law::ccp, Law::pyramid
 /// Newton's systems then have a condition of 1e8 at most, where nothing else limits it [-].
 constexpr double k_least_weight = 1e-8;
 
-IslandSolve island_solve(const SolverSettings& shared, const Budget& budget) {
+IslandSolve island_solve(const contact::SolverSettings& shared, const Budget& budget) {
   NewtonSettings settings;
   settings.shared = shared;
   settings.least_weight = k_least_weight;
   settings.order_free = true;
-  return [settings, budget](const LocalProblem& island, const VecX& start) {
+  return [settings, budget](const contact::LocalProblem& island, const VecX& start) {
     return newton_island(island, start, settings, budget);
   };
 }
 
 }  // namespace
 
-ContactSolution OrderFreeNewtonSolver::solve(const PreparedProblem& problem, const VecX& guess) const {
+contact::ContactSolution OrderFreeNewtonSolver::solve(const contact::PreparedProblem& problem,
+                                                      const VecX& guess) const {
   demand_known("newton-order-free", k_laws, problem.problem().law);
   demand_no_moments(name(), problem.problem());
   const Budget budget(shared_);
   const auto newton = [&](const VecX& start) {
     return solve_islands(problem, problem.islands(), start, island_solve(with_margin(shared_), budget));
   };
-  ContactSolution solution = newton(guess);
+  contact::ContactSolution solution = newton(guess);
   // where not one step was taken the problem itself is at fault
-  if (solution.status != SolveStatus::converged &&
-      (solution.status != SolveStatus::numerical_error || solution.iterations > 0)) {
-    const ContactSolution nearer = EgSolver({.shared = shared_, .order_free = true}).solve(problem, solution.r, budget);
+  if (solution.status != contact::SolveStatus::converged &&
+      (solution.status != contact::SolveStatus::numerical_error || solution.iterations > 0)) {
+    const contact::ContactSolution nearer =
+        EgSolver({.shared = shared_, .order_free = true}).solve(problem, solution.r, budget);
     const int done = solution.iterations + nearer.iterations;
     solution = newton(nearer.r);
     solution.iterations += done;
   }
   solution.v = order_free_velocities(problem, solution.r);
-  solution.u = contact_velocities(problem.problem(), solution.v);
+  solution.u = contact::contact_velocities(problem.problem(), solution.v);
   return solution;
 }
 
-ContactSolution OrderFreeNewtonSolver::solve(const LocalProblem& problem, const VecX& guess) const {
+contact::ContactSolution OrderFreeNewtonSolver::solve(const contact::LocalProblem& problem, const VecX& guess) const {
   demand_known("newton-order-free", k_laws, problem.law);
   return solve_islands(problem, guess, island_solve(shared_, Budget(shared_)));
 }
 
-}  // namespace nilas
+}  // namespace nilas::solvers

@@ -10,21 +10,21 @@
 /// iteration about three times that of newton.
 #include "contact/solvers/solver.h"
 
-namespace nilas {
+namespace nilas::solvers {
 
 class OrderFreeNewtonSolver final : public ContactSolver {
  public:
-  explicit OrderFreeNewtonSolver(const SolverSettings& shared) : shared_(shared) {}
+  explicit OrderFreeNewtonSolver(const contact::SolverSettings& shared) : shared_(shared) {}
   using ContactSolver::solve;
   std::string name() const override { return "newton-order-free"; }
   /// Solves with the statuses of newton. Throws InputError for the law pyramid and for rolling or spinning friction.
   /// iterations: factorisations of the island that took most, and steps of eg-order-free.
-  ContactSolution solve(const PreparedProblem& problem, const VecX& guess) const override;
+  contact::ContactSolution solve(const contact::PreparedProblem& problem, const VecX& guess) const override;
   /// The order of contacts does not show here either; Newton alone.
-  ContactSolution solve(const LocalProblem& problem, const VecX& guess) const override;
+  contact::ContactSolution solve(const contact::LocalProblem& problem, const VecX& guess) const override;
 
  private:
-  SolverSettings shared_;
+  contact::SolverSettings shared_;
 };
 
-}  // namespace nilas
+}  // namespace nilas::solvers

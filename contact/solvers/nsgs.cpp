@@ -3,7 +3,7 @@
 #include "contact/problem/row_of.h"
 #include "contact/solvers/shared/nsgs_sweep.h"
 
-namespace nilas {
+namespace nilas::solvers {
 
 namespace {
 
@@ -25,12 +25,12 @@ class NsgsBodies : public RowSweeps {
 
 class NsgsLocal : public LocalSweeps {
  public:
-  NsgsLocal(const LocalProblem& problem, const VecX& guess) : LocalSweeps(problem, guess) {
+  NsgsLocal(const contact::LocalProblem& problem, const VecX& guess) : LocalSweeps(problem, guess) {
     for (int c = 0; c < problem.num_contacts(); ++c) {
       const auto i = static_cast<std::size_t>(c);
       contacts_.push_back(
-          {ContactBlock(problem.diagonal(c), problem.mu[i], problem.force_limit[i], problem.compliance[i]),
-           {0, r_[row_of(c)]},
+          {contact::ContactBlock(problem.diagonal(c), problem.mu[i], problem.force_limit[i], problem.compliance[i]),
+           {0, r_[contact::row_of(c)]},
            scales_[i].d});
     }
   }
@@ -48,10 +48,11 @@ class NsgsLocal : public LocalSweeps {
  private:
   double visit(int c) {
     NsgsContact& own = contacts_[c];
-    const Vec3 old = r_.segment<3>(row_of(c));
-    const Vec3 u = compliant_velocity(problem_.compliance[c], old, velocity(c));
-    const Vec3 r = solve_in_sweep(problem_.law, problem_.facets, own.block, own.block.without(old, u), own.start);
-    r_.segment<3>(row_of(c)) = r;
+    const Vec3 old = r_.segment<3>(contact::row_of(c));
+    const Vec3 u = contact::compliant_velocity(problem_.compliance[c], old, velocity(c));
+    const Vec3 r =
+        contact::solve_in_sweep(problem_.law, problem_.facets, own.block, own.block.without(old, u), own.start);
+    r_.segment<3>(contact::row_of(c)) = r;
     return own.d * (r - old).norm();
   }
 
@@ -60,27 +61,30 @@ class NsgsLocal : public LocalSweeps {
 
 }  // namespace
 
-ContactSolution NsgsSolver::solve(const PreparedProblem& problem, const VecX& guess) const {
+contact::ContactSolution NsgsSolver::solve(const contact::PreparedProblem& problem, const VecX& guess) const {
   return solve(problem, guess, Budget(settings_.shared));
 }
 
-ContactSolution NsgsSolver::solve(const LocalProblem& problem, const VecX& guess) const {
+contact::ContactSolution NsgsSolver::solve(const contact::LocalProblem& problem, const VecX& guess) const {
   return solve(problem, guess, Budget(settings_.shared));
 }
 
-ContactSolution NsgsSolver::solve(const PreparedProblem& problem, const VecX& guess, const Budget& budget) const {
+contact::ContactSolution NsgsSolver::solve(const contact::PreparedProblem& problem, const VecX& guess,
+                                           const Budget& budget) const {
   if (problem.problem().has_moments())
     demand_known("nsgs with rolling friction", {Law::coulomb, Law::pyramid}, problem.problem().law);
   return solve_row_islands(problem, guess, settings_.shared, RowOrder::coloured, [&](const RowIsland& island) {
     NsgsBodies sweeps(island);
-    ContactSolution part = sweep_to_tolerance(sweeps, island.island.last - island.island.first, settings_, budget);
+    contact::ContactSolution part =
+        sweep_to_tolerance(sweeps, island.island.last - island.island.first, settings_, budget);
     sweeps.set_impulses(part.r);
     return part;
   });
 }
 
-ContactSolution NsgsSolver::solve(const LocalProblem& problem, const VecX& guess, const Budget& budget) const {
+contact::ContactSolution NsgsSolver::solve(const contact::LocalProblem& problem, const VecX& guess,
+                                           const Budget& budget) const {
   return solve_by_sweeps<NsgsLocal>(problem, guess, settings_, budget);
 }
 
-}  // namespace nilas
+}  // namespace nilas::solvers

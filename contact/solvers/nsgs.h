@@ -14,7 +14,7 @@
 #include "contact/solvers/shared/sweep_loop.h"
 #include "contact/solvers/solver.h"
 
-namespace nilas {
+namespace nilas::solvers {
 
 using NsgsSettings = SweepSettings;
 
@@ -28,14 +28,15 @@ class NsgsSolver final : public ContactSolver {
   /// numerical_error: something is not finite, or a contact closes whose sides cannot move and that has no force limit;
   /// `message` says which.
   /// Throws InputError for rolling or spinning friction with a law other than coulomb or pyramid.
-  ContactSolution solve(const PreparedProblem& problem, const VecX& guess) const override;
-  ContactSolution solve(const LocalProblem& problem, const VecX& guess) const override;
+  contact::ContactSolution solve(const contact::PreparedProblem& problem, const VecX& guess) const override;
+  contact::ContactSolution solve(const contact::LocalProblem& problem, const VecX& guess) const override;
   /// Solves as a stage of a solve in progress, within `budget`.
-  ContactSolution solve(const PreparedProblem& problem, const VecX& guess, const Budget& budget) const;
-  ContactSolution solve(const LocalProblem& problem, const VecX& guess, const Budget& budget) const;
+  contact::ContactSolution solve(const contact::PreparedProblem& problem, const VecX& guess,
+                                 const Budget& budget) const;
+  contact::ContactSolution solve(const contact::LocalProblem& problem, const VecX& guess, const Budget& budget) const;
 
  private:
   NsgsSettings settings_;
 };
 
-}  // namespace nilas
+}  // namespace nilas::solvers

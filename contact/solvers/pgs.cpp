@@ -6,7 +6,7 @@
 #include "contact/problem/row_of.h"
 #include "contact/solvers/shared/pgs_sweep.h"
 
-namespace nilas {
+namespace nilas::solvers {
 
 namespace {
 
@@ -23,7 +23,7 @@ class PgsBodies : public RowSweeps {
 
 class PgsLocal : public LocalSweeps {
  public:
-  PgsLocal(const LocalProblem& problem, const VecX& guess) : LocalSweeps(problem, guess) {
+  PgsLocal(const contact::LocalProblem& problem, const VecX& guess) : LocalSweeps(problem, guess) {
     for (int c = 0; c < problem.num_contacts(); ++c) {
       const auto i = static_cast<std::size_t>(c);
       weights_.push_back(row_weights(problem.diagonal(c), problem.law, problem.compliance[i], problem.force_limit[i]));
@@ -39,7 +39,7 @@ class PgsLocal : public LocalSweeps {
   }
 
  private:
-  Vec3 impulse(int c) const { return r_.segment<3>(row_of(c)); }
+  Vec3 impulse(int c) const { return r_.segment<3>(contact::row_of(c)); }
 
   /// Sets the contact's impulse to what the law's bounds leave of `wanted`, T2 seeing T1's change of velocity.
   void step(int c, const Vec3& wanted, double coupling = 0) {
@@ -56,7 +56,7 @@ class PgsLocal : public LocalSweeps {
     } else {
       t.setZero();
     }
-    r_.segment<3>(row_of(c)) = Vec3(normal, t[0], t[1]);
+    r_.segment<3>(contact::row_of(c)) = Vec3(normal, t[0], t[1]);
   }
 
   /// The largest |dr_i| W_ii.
@@ -78,21 +78,22 @@ class PgsLocal : public LocalSweeps {
 
 }  // namespace
 
-ContactSolution PgsSolver::solve(const PreparedProblem& problem, const VecX& guess) const {
+contact::ContactSolution PgsSolver::solve(const contact::PreparedProblem& problem, const VecX& guess) const {
   demand_known("pgs", {Law::pyramid, Law::coulomb, Law::frictionless}, problem.problem().law);
   demand_no_moments(name(), problem.problem());
   const Budget budget(settings_.shared);
   return solve_row_islands(problem, guess, settings_.shared, RowOrder::given, [&](const RowIsland& island) {
     PgsBodies sweeps(island, settings_);
-    ContactSolution part = sweep_to_tolerance(sweeps, island.island.last - island.island.first, settings_, budget);
+    contact::ContactSolution part =
+        sweep_to_tolerance(sweeps, island.island.last - island.island.first, settings_, budget);
     sweeps.set_impulses(part.r);
     return part;
   });
 }
 
-ContactSolution PgsSolver::solve(const LocalProblem& problem, const VecX& guess) const {
+contact::ContactSolution PgsSolver::solve(const contact::LocalProblem& problem, const VecX& guess) const {
   demand_known("pgs", {Law::pyramid, Law::coulomb, Law::frictionless}, problem.law);
   return solve_by_sweeps<PgsLocal>(problem, guess, settings_, Budget(settings_.shared));
 }
 
-}  // namespace nilas
+}  // namespace nilas::solvers

@@ -16,7 +16,7 @@
 #include "contact/solvers/shared/sweep_loop.h"
 #include "contact/solvers/solver.h"
 
-namespace nilas {
+namespace nilas::solvers {
 
 using PgsSettings = SweepSettings;
 
@@ -30,12 +30,12 @@ class PgsSolver final : public ContactSolver {
   /// numerical_error: something is not finite, or a contact closes whose sides cannot move and that has no force limit;
   /// then `message` says which, and that contact's impulse is zero.
   /// Throws InputError for a law other than pyramid, coulomb or frictionless, and for rolling or spinning friction.
-  ContactSolution solve(const PreparedProblem& problem, const VecX& guess) const override;
+  contact::ContactSolution solve(const contact::PreparedProblem& problem, const VecX& guess) const override;
   /// The same sweeps on the rows of W.
-  ContactSolution solve(const LocalProblem& problem, const VecX& guess) const override;
+  contact::ContactSolution solve(const contact::LocalProblem& problem, const VecX& guess) const override;
 
  private:
   PgsSettings settings_;
 };
 
-}  // namespace nilas
+}  // namespace nilas::solvers

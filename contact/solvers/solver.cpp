@@ -9,15 +9,16 @@
 #include "contact/problem/row_of.h"
 #include "core/base/error.h"
 
-namespace nilas {
+namespace nilas::solvers {
 
 namespace {
 
 /// Adds one island's outcome to the whole.
-void take_over(const ContactSolution& part, const std::vector<int>& contacts, ContactSolution& whole) {
+void take_over(const contact::ContactSolution& part, const std::vector<int>& contacts,
+               contact::ContactSolution& whole) {
   for (std::size_t i = 0; i < contacts.size(); ++i)
-    whole.r.segment<3>(row_of(contacts[i])) = part.r.segment<3>(row_of(i));
-  whole.status = worse(whole.status, part.status);
+    whole.r.segment<3>(contact::row_of(contacts[i])) = part.r.segment<3>(contact::row_of(i));
+  whole.status = contact::worse(whole.status, part.status);
   whole.iterations = std::max(whole.iterations, part.iterations);
   // islands that failed alike are named once
   if (whole.message.find(part.message) == std::string::npos)
@@ -31,20 +32,21 @@ void take_over(const ContactSolution& part, const std::vector<int>& contacts, Co
 
 VecX part_of(const VecX& guess, const std::vector<int>& contacts) {
   if (guess.size() == 0) return {};
-  VecX part(row_of(contacts.size()));
-  for (std::size_t i = 0; i < contacts.size(); ++i) part.segment<3>(row_of(i)) = guess.segment<3>(row_of(contacts[i]));
+  VecX part(contact::row_of(contacts.size()));
+  for (std::size_t i = 0; i < contacts.size(); ++i)
+    part.segment<3>(contact::row_of(i)) = guess.segment<3>(contact::row_of(contacts[i]));
   return part;
 }
 
-ContactSolution nothing_solved(int num_contacts) {
-  ContactSolution whole;
-  whole.r = VecX::Zero(row_of(num_contacts));
-  whole.status = SolveStatus::converged;
+contact::ContactSolution nothing_solved(int num_contacts) {
+  contact::ContactSolution whole;
+  whole.r = VecX::Zero(contact::row_of(num_contacts));
+  whole.status = contact::SolveStatus::converged;
   return whole;
 }
 
 /// Returns what makes a problem unfit for any solver; empty for a fit one.
-std::string unfit(const LocalProblem& problem, const VecX& guess) {
+std::string unfit(const contact::LocalProblem& problem, const VecX& guess) {
   bool finite = problem.q.allFinite() && guess.allFinite();
   for (const Mat3& block : problem.block) finite = finite && block.allFinite();
   for (std::size_t a = 0; a < problem.mu.size(); ++a) {
@@ -58,15 +60,15 @@ std::string unfit(const LocalProblem& problem, const VecX& guess) {
   return "";
 }
 
-ContactSolution failed(int num_contacts, const std::string& message) {
-  ContactSolution whole = nothing_solved(num_contacts);
-  whole.status = SolveStatus::numerical_error;
+contact::ContactSolution failed(int num_contacts, const std::string& message) {
+  contact::ContactSolution whole = nothing_solved(num_contacts);
+  whole.status = contact::SolveStatus::numerical_error;
   whole.message = message;
   return whole;
 }
 
-ContactSolution left_alone(const VecX& guess, const std::string& reason) {
-  ContactSolution part;
+contact::ContactSolution left_alone(const VecX& guess, const std::string& reason) {
+  contact::ContactSolution part;
   part.r = guess;
   part.message = reason;
   return part;
@@ -74,9 +76,10 @@ ContactSolution left_alone(const VecX& guess, const std::string& reason) {
 
 /// Demotes a claim that does not hold on the problem itself: W r + q and M^-1 (f + H r) differ by rounding.
 template <class Problem>
-void confirm(const Problem& problem, double tolerance, ContactSolution& solution) {
-  if (solution.status == SolveStatus::converged && !(measure(problem, solution.r).law_map_m_s <= tolerance))
-    solution.status = SolveStatus::stalled;
+void confirm(const Problem& problem, double tolerance, contact::ContactSolution& solution) {
+  if (solution.status == contact::SolveStatus::converged &&
+      !(contact::measure(problem, solution.r).law_map_m_s <= tolerance))
+    solution.status = contact::SolveStatus::stalled;
 }
 
 /// Sorts the islands by size, so that the hardest island is the one left unsolved when time runs out.
@@ -87,35 +90,38 @@ std::vector<std::vector<int>> smallest_first(std::vector<std::vector<int>> islan
 
 }  // namespace
 
-SolverSettings with_margin(SolverSettings shared) {
+contact::SolverSettings with_margin(contact::SolverSettings shared) {
   constexpr double k_margin = 1e-3;
   shared.tolerance *= 1 - k_margin;
   return shared;
 }
 
-ContactSolution solve_islands(const LocalProblem& problem, const VecX& guess, const IslandSolve& solve) {
+contact::ContactSolution solve_islands(const contact::LocalProblem& problem, const VecX& guess,
+                                       const IslandSolve& solve) {
   NILAS_DEMAND(guess.size() == 0 || guess.size() == problem.q.size());
   if (const std::string reason = unfit(problem, guess); !reason.empty()) {
-    ContactSolution whole = failed(problem.num_contacts(), reason);
-    whole.u = contact_velocities(problem, whole.r);
+    contact::ContactSolution whole = failed(problem.num_contacts(), reason);
+    whole.u = contact::contact_velocities(problem, whole.r);
     return whole;
   }
-  ContactSolution whole = nothing_solved(problem.num_contacts());
-  const auto islands = smallest_first(find_islands(problem));
+  contact::ContactSolution whole = nothing_solved(problem.num_contacts());
+  const auto islands = smallest_first(contact::find_islands(problem));
   if (islands.size() == 1)
     take_over(solve(problem, guess), islands.front(), whole);
   else
-    for (const auto& island : islands) take_over(solve(select(problem, island), part_of(guess, island)), island, whole);
-  whole.u = contact_velocities(problem, whole.r);
+    for (const auto& island : islands)
+      take_over(solve(contact::select(problem, island), part_of(guess, island)), island, whole);
+  whole.u = contact::contact_velocities(problem, whole.r);
   return whole;
 }
 
-ContactSolution solve_islands(const PreparedProblem& prepared, const std::vector<std::vector<int>>& islands,
-                              const VecX& guess, const IslandSolve& solve) {
-  const ContactProblem& problem = prepared.problem();
-  const MassInverse& masses = prepared.masses();
+contact::ContactSolution solve_islands(const contact::PreparedProblem& prepared,
+                                       const std::vector<std::vector<int>>& islands, const VecX& guess,
+                                       const IslandSolve& solve) {
+  const contact::ContactProblem& problem = prepared.problem();
+  const contact::MassInverse& masses = prepared.masses();
   NILAS_DEMAND(guess.size() == 0 || guess.size() == 3 * problem.num_contacts());
-  ContactSolution whole = nothing_solved(problem.num_contacts());
+  contact::ContactSolution whole = nothing_solved(problem.num_contacts());
   if (masses.first_bad_block() >= 0) {
     whole = failed(problem.num_contacts(),
                    "mass block " + std::to_string(masses.first_bad_block()) + " is not positive definite");
@@ -124,51 +130,54 @@ ContactSolution solve_islands(const PreparedProblem& prepared, const std::vector
   } else {
     if (guess.size() > 0) whole.r = guess;
     for (const auto& island : smallest_first(islands))
-      take_over(is_reducible(problem, island)
-                    ? solve_islands(reduce(select(problem, island)), part_of(guess, island), solve)
-                    : left_alone(part_of(whole.r, island), not_reducible_message(island)),
+      take_over(contact::is_reducible(problem, island)
+                    ? solve_islands(contact::reduce(contact::select(problem, island)), part_of(guess, island), solve)
+                    : left_alone(part_of(whole.r, island), contact::not_reducible_message(island)),
                 island, whole);
   }
-  whole.v = velocities(prepared, whole.r);
-  whole.u = contact_velocities(problem, whole.v);
+  whole.v = contact::velocities(prepared, whole.r);
+  whole.u = contact::contact_velocities(problem, whole.v);
   return whole;
 }
 
 void demand_known(const char* solver, std::initializer_list<Law> known, Law law) {
   if (std::find(known.begin(), known.end(), law) != known.end()) return;
   std::string laws;
-  for (const Law one : known) laws += (laws.empty() ? "" : ", ") + std::string(to_string(one));
+  for (const Law one : known) laws += (laws.empty() ? "" : ", ") + std::string(contact::to_string(one));
   throw InputError("solver '" + std::string(solver) + "' knows the laws " + laws + "; choose one of them");
 }
 
-void demand_no_moments(const std::string& solver, const ContactProblem& problem) {
+void demand_no_moments(const std::string& solver, const contact::ContactProblem& problem) {
   if (problem.has_moments())
     throw InputError("solver '" + solver + "' does not take rolling and spinning friction; nsgs and auto do");
 }
 
-ContactSolution IslandSolver::solve(const LocalProblem& problem, const VecX& guess) const {
+contact::ContactSolution IslandSolver::solve(const contact::LocalProblem& problem, const VecX& guess) const {
   return solve(problem, guess, Budget(shared_));
 }
 
-ContactSolution IslandSolver::solve(const LocalProblem& problem, const VecX& guess, const Budget& budget) const {
+contact::ContactSolution IslandSolver::solve(const contact::LocalProblem& problem, const VecX& guess,
+                                             const Budget& budget) const {
   demand_law(problem.law);
-  ContactSolution solution = solve_islands(problem, guess, [&](const LocalProblem& island, const VecX& start) {
-    return solve_island(island, start, shared_, budget);
-  });
+  contact::ContactSolution solution =
+      solve_islands(problem, guess, [&](const contact::LocalProblem& island, const VecX& start) {
+        return solve_island(island, start, shared_, budget);
+      });
   confirm(problem, shared_.tolerance, solution);
   return solution;
 }
 
-ContactSolution IslandSolver::solve(const PreparedProblem& problem, const VecX& guess) const {
+contact::ContactSolution IslandSolver::solve(const contact::PreparedProblem& problem, const VecX& guess) const {
   demand_law(problem.problem().law);
   demand_no_moments(name(), problem.problem());
-  const SolverSettings shared = with_margin(shared_);
+  const contact::SolverSettings shared = with_margin(shared_);
   const Budget budget(shared_);
-  ContactSolution solution = solve_islands(
-      problem, problem.islands(), guess,
-      [&](const LocalProblem& island, const VecX& start) { return solve_island(island, start, shared, budget); });
+  contact::ContactSolution solution =
+      solve_islands(problem, problem.islands(), guess, [&](const contact::LocalProblem& island, const VecX& start) {
+        return solve_island(island, start, shared, budget);
+      });
   confirm(problem, shared_.tolerance, solution);
   return solution;
 }
 
-}  // namespace nilas
+}  // namespace nilas::solvers

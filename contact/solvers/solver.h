@@ -12,65 +12,67 @@
 #include "contact/problem/solution.h"
 #include "contact/solvers/shared/budget.h"
 
-namespace nilas {
+namespace nilas::solvers {
 
 class ContactSolver {
  public:
   virtual ~ContactSolver() = default;
   virtual std::string name() const = 0;
   /// Same arguments, same bits. Never throws for non-convergence. `guess`: 3 nc impulses, or empty.
-  virtual ContactSolution solve(const PreparedProblem& problem, const VecX& guess) const = 0;
+  virtual contact::ContactSolution solve(const contact::PreparedProblem& problem, const VecX& guess) const = 0;
   /// The same for a problem without bodies; `v` stays empty.
-  virtual ContactSolution solve(const LocalProblem& problem, const VecX& guess) const = 0;
+  virtual contact::ContactSolution solve(const contact::LocalProblem& problem, const VecX& guess) const = 0;
   /// Prepares the problem and solves it.
-  ContactSolution solve(const ContactProblem& problem, const VecX& guess) const {
-    return solve(PreparedProblem(problem), guess);
+  contact::ContactSolution solve(const contact::ContactProblem& problem, const VecX& guess) const {
+    return solve(contact::PreparedProblem(problem), guess);
   }
 };
 
 /// Solves one connected local problem.
-using IslandSolve = std::function<ContactSolution(const LocalProblem& island, const VecX& guess)>;
+using IslandSolve = std::function<contact::ContactSolution(const contact::LocalProblem& island, const VecX& guess)>;
 
 /// Solves the islands of a problem apart and puts them together: the worst status, the most iterations, the sum of
 /// messages. `v` (of a problem with bodies) is M^-1 (f + H r), `u` follows from it or from W. numerical_error without
 /// calling `solve` where problem or guess hold numbers that are not finite, a mass that is not positive definite or a
 /// negative diagonal of W. Throws ContractError for a guess of the wrong size.
-ContactSolution solve_islands(const LocalProblem& problem, const VecX& guess, const IslandSolve& solve);
+contact::ContactSolution solve_islands(const contact::LocalProblem& problem, const VecX& guess,
+                                       const IslandSolve& solve);
 /// Solves a problem with bodies. Only the islands given (contact/problem/islands.h) are reduced, one at a time, and
 /// solved. All other contacts keep the impulses of `guess`. So does an island that is not reducible
 /// (contact/problem/reducible.h), whose status is numerical_error.
-ContactSolution solve_islands(const PreparedProblem& problem, const std::vector<std::vector<int>>& islands,
-                              const VecX& guess, const IslandSolve& solve);
+contact::ContactSolution solve_islands(const contact::PreparedProblem& problem,
+                                       const std::vector<std::vector<int>>& islands, const VecX& guess,
+                                       const IslandSolve& solve);
 
 /// Throws InputError naming the laws that a solver knows where `law` is none of them.
 void demand_known(const char* solver, std::initializer_list<Law> known, Law law);
 
 /// Throws InputError naming the solvers that take rolling and spinning friction where the problem has it.
-void demand_no_moments(const std::string& solver, const ContactProblem& problem);
+void demand_no_moments(const std::string& solver, const contact::ContactProblem& problem);
 
 /// A solver that reduces every problem to its islands' local form. It says converged only of what `measure` confirms on
 /// the whole problem. Throws InputError for rolling or spinning friction.
 class IslandSolver : public ContactSolver {
  public:
-  explicit IslandSolver(const SolverSettings& shared) : shared_(shared) {}
+  explicit IslandSolver(const contact::SolverSettings& shared) : shared_(shared) {}
   using ContactSolver::solve;
-  ContactSolution solve(const PreparedProblem& problem, const VecX& guess) const final;
-  ContactSolution solve(const LocalProblem& problem, const VecX& guess) const final;
+  contact::ContactSolution solve(const contact::PreparedProblem& problem, const VecX& guess) const final;
+  contact::ContactSolution solve(const contact::LocalProblem& problem, const VecX& guess) const final;
   /// Solves as a stage of a solve in progress, within `budget`.
-  ContactSolution solve(const LocalProblem& problem, const VecX& guess, const Budget& budget) const;
+  contact::ContactSolution solve(const contact::LocalProblem& problem, const VecX& guess, const Budget& budget) const;
 
  private:
   /// Throws InputError for a law it does not know.
   virtual void demand_law(Law) const {}
   /// `shared`: to be used in place of the solver's own, `budget` in place of its limits.
-  virtual ContactSolution solve_island(const LocalProblem& island, const VecX& guess, const SolverSettings& shared,
-                                       const Budget& budget) const = 0;
+  virtual contact::ContactSolution solve_island(const contact::LocalProblem& island, const VecX& guess,
+                                                const contact::SolverSettings& shared, const Budget& budget) const = 0;
 
-  SolverSettings shared_;
+  contact::SolverSettings shared_;
 };
 
 /// A tolerance a thousandth tighter, for problems with bodies that are solved on their reduced form: the two forms
 /// differ by rounding.
-SolverSettings with_margin(SolverSettings shared);
+contact::SolverSettings with_margin(contact::SolverSettings shared);
 
-}  // namespace nilas
+}  // namespace nilas::solvers

@@ -2,7 +2,7 @@
 /// A solver and, where it fails, a second one that continues from the first one's impulses: on_failure="retry".
 #include "contact/solvers/solver.h"
 
-namespace nilas {
+namespace nilas::solvers {
 
 class WithRetry final : public ContactSolver {
  public:
@@ -12,11 +12,11 @@ class WithRetry final : public ContactSolver {
   std::string name() const override { return first_->name(); }
   /// Returns the better of the two by law_map_m_s. `iterations` counts both, and the message says that the second was
   /// used.
-  ContactSolution solve(const PreparedProblem& problem, const VecX& guess) const override;
-  ContactSolution solve(const LocalProblem& problem, const VecX& guess) const override;
+  contact::ContactSolution solve(const contact::PreparedProblem& problem, const VecX& guess) const override;
+  contact::ContactSolution solve(const contact::LocalProblem& problem, const VecX& guess) const override;
 
  private:
   std::unique_ptr<ContactSolver> first_, second_;
 };
 
-}  // namespace nilas
+}  // namespace nilas::solvers

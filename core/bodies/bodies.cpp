@@ -5,7 +5,7 @@
 
 #include "core/base/error.h"
 
-namespace nilas {
+namespace nilas::bodies {
 
 /// The place of a name in a list, at whose end it is put where it is new.
 static int number_of(const std::string& name, std::vector<std::string>& names) {
@@ -23,7 +23,7 @@ int Bodies::add(const BodySpec& spec) {
   NILAS_DEMAND(spec.v.allFinite() && spec.w.allFinite());
   const bool moves = spec.motion != Motion::fixed;
   NILAS_DEMAND(std::isfinite(spec.mass) && (!moves || spec.mass > 0));
-  NILAS_DEMAND(spec.inertia_B.allFinite() && (!moves || physically_valid_inertia(spec.inertia_B)));
+  NILAS_DEMAND(spec.inertia_B.allFinite() && (!moves || geometry::physically_valid_inertia(spec.inertia_B)));
   id.push_back(next_id++);
   name.push_back(spec.name);
   kind.push_back(spec.kind);
@@ -103,4 +103,4 @@ void Bodies::restore(const StateReader& in) {
   in.get("w_GB", w_GB, count);
 }
 
-}  // namespace nilas
+}  // namespace nilas::bodies

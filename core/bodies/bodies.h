@@ -11,7 +11,7 @@
 #include "core/geometry/mass_properties.h"
 #include "core/geometry/shape.h"
 
-namespace nilas {
+namespace nilas::bodies {
 
 enum class BodyKind { floe, rigid, wall, vessel };
 /// free: six degrees of freedom here; fixed: never moves; articulated: moved by the vessel system.
@@ -23,12 +23,12 @@ struct BodySpec {
   BodyKind kind = BodyKind::rigid;
   Motion motion = Motion::free;
   std::string material = "structure";
-  std::shared_ptr<const Shape> shape;  ///< origin at the centre of mass
-  double mass = 0;                     ///< [kg]
-  Mat3 inertia_B = Mat3::Identity();   ///< inertia about the centre of mass [kg m^2]
-  Pose pose;                           ///< pose of the centre of mass in G
-  Vec3 v = Vec3::Zero();               ///< velocity of the centre of mass [m/s]
-  Vec3 w = Vec3::Zero();               ///< angular velocity in G [rad/s]
+  std::shared_ptr<const geometry::Shape> shape;  ///< origin at the centre of mass
+  double mass = 0;                               ///< [kg]
+  Mat3 inertia_B = Mat3::Identity();             ///< inertia about the centre of mass [kg m^2]
+  Pose pose;                                     ///< pose of the centre of mass in G
+  Vec3 v = Vec3::Zero();                         ///< velocity of the centre of mass [m/s]
+  Vec3 w = Vec3::Zero();                         ///< angular velocity in G [rad/s]
 };
 
 struct Bodies {
@@ -38,7 +38,7 @@ struct Bodies {
   std::vector<Motion> motion;
   std::vector<int> material;           ///< its place in `materials`
   std::vector<std::string> materials;  ///< names, each once, in the order in which bodies brought them
-  std::vector<std::shared_ptr<const Shape>> shape;
+  std::vector<std::shared_ptr<const geometry::Shape>> shape;
   std::vector<double> mass;             ///< [kg]
   std::vector<Mat3> inertia_B;          ///< inertia about the centre of mass, body axes [kg m^2]
   std::vector<Mat3> inertia_inverse_B;  ///< zero for a fixed body [1/(kg m^2)]
@@ -80,4 +80,4 @@ void remove_marked(const std::vector<char>& gone, std::vector<T>& list) {
   std::erase_if(list, [&](const T&) { return gone[k++] != 0; });
 }
 
-}  // namespace nilas
+}  // namespace nilas::bodies

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace nilas {
+namespace nilas::bodies {
 
 Quat exponential(const Vec3& turn) {
   const double angle = turn.norm();
@@ -79,4 +79,4 @@ void turn_freely(Quat& q, Vec3& w, const Mat3& inertia_B, const Mat3& inertia_in
   for (int part = 0; part < parts; ++part) turn_once(q, w, inertia_B, inertia_inverse_B, h / parts);
 }
 
-}  // namespace nilas
+}  // namespace nilas::bodies

@@ -2,7 +2,7 @@
 /// Rotation of a rigid body that no torque acts on.
 #include "core/base/math.h"
 
-namespace nilas {
+namespace nilas::bodies {
 
 /// Rotation by the vector `turn` [rad] as a quaternion (exponential map).
 Quat exponential(const Vec3& turn);
@@ -13,4 +13,4 @@ Quat exponential(const Vec3& turn);
 /// of mass [kg m^2] with its inverse.
 void turn_freely(Quat& q, Vec3& w, const Mat3& inertia_B, const Mat3& inertia_inverse_B, double h);
 
-}  // namespace nilas
+}  // namespace nilas::bodies

@@ -1,6 +1,6 @@
 #include "core/bodies/ice_properties.h"
 
-namespace nilas {
+namespace nilas::bodies {
 
 std::vector<WeakLine> lines_near(const std::vector<WeakLine>& lines, const Vec2& centre,
                                  const std::vector<Vec2>& outline) {
@@ -28,4 +28,4 @@ std::vector<WeakLine> lines_near(const std::vector<WeakLine>& lines, const Vec2&
   return near;
 }
 
-}  // namespace nilas
+}  // namespace nilas::bodies

@@ -6,7 +6,7 @@
 
 #include "core/bodies/bodies.h"
 
-namespace nilas {
+namespace nilas::bodies {
 
 /// A strength of one floe: its mean over the floe, and how it varies inside.
 struct FloeStrength {
@@ -48,4 +48,4 @@ struct IceProperties {
   }
 };
 
-}  // namespace nilas
+}  // namespace nilas::bodies

@@ -10,12 +10,20 @@
 #include "core/base/state.h"
 #include "core/bodies/bodies.h"
 
-namespace nilas {
+namespace nilas::contact {
+struct StepMotion;
+}  // namespace nilas::contact
 
+namespace nilas::detect {
 struct ContactPoint;
+}  // namespace nilas::detect
+
+namespace nilas::fracture {
 struct NewPiece;
 struct StepEnd;
-struct StepMotion;
+}  // namespace nilas::fracture
+
+namespace nilas::bodies {
 
 /// One wrench per body, about its centre of mass, in G.
 using Wrenches = std::vector<Wrench>;
@@ -64,9 +72,9 @@ class Module {
   /// Appends contact points of its own at the present poses. `near`: the pairs that it owns and that may touch within
   /// the substep. A second call at the same poses must remember the same as the first.
   virtual void add_contacts(const Bodies& /*bodies*/, const BodyPairs& /*near*/, const SubstepLength& /*length*/,
-                            std::vector<ContactPoint>& /*points*/) {}
+                            std::vector<detect::ContactPoint>& /*points*/) {}
   /// Adds to the first guess of the impulses (3 per contact, in the contacts' frames; points first), once [N s].
-  virtual void add_to_guess(const Bodies& /*bodies*/, const std::vector<ContactPoint>& /*points*/,
+  virtual void add_to_guess(const Bodies& /*bodies*/, const std::vector<detect::ContactPoint>& /*points*/,
                             const std::vector<Mat3>& /*frames*/, VecX& /*guess*/) {}
   /// The impulses of the substep are found: a guess that was not asked for is of no more use.
   virtual void end_guess() {}
@@ -80,11 +88,11 @@ class Module {
   virtual void remember() {}
   virtual void go_back() {}
   /// A substep was taken: its velocities, impulses and points.
-  virtual void note_motion(const Bodies& /*bodies*/, const StepMotion& /*motion*/) {}
+  virtual void note_motion(const Bodies& /*bodies*/, const contact::StepMotion& /*motion*/) {}
   /// The step is over: floes may break. See fracture/model/step_end.h.
-  virtual void end_step(StepEnd& /*end*/) {}
+  virtual void end_step(fracture::StepEnd& /*end*/) {}
   /// Bodies came or went; `pieces`: those that came in the place of a floe.
-  virtual void follow(const Bodies& /*bodies*/, const std::vector<NewPiece>& /*pieces*/) {}
+  virtual void follow(const Bodies& /*bodies*/, const std::vector<fracture::NewPiece>& /*pieces*/) {}
 
   // Outputs.
 
@@ -112,4 +120,4 @@ class ForceModule : public Module {
   void add_forces(const Bodies& bodies, double t, Wrenches& out) override = 0;
 };
 
-}  // namespace nilas
+}  // namespace nilas::bodies

@@ -6,7 +6,7 @@
 #include "core/base/math.h"
 #include "core/field/spec/field_spec.h"
 
-namespace nilas {
+namespace nilas::field {
 
 /// A field of random floes by overlap relaxation [van den Berg, IceFieldCreator]: they start with overlaps and are
 /// pushed apart. Floes that block each other exchange places and are shaken. Floes keep their areas. Rectangles,
@@ -52,4 +52,4 @@ FieldResult grid_field(const GridSpec& spec);
 FieldResult read_field(const std::filesystem::path& file);
 void write_field(const FieldResult& field, const std::filesystem::path& file);
 
-}  // namespace nilas
+}  // namespace nilas::field

@@ -12,7 +12,7 @@
 #include "core/geometry/orientation.h"
 #include "core/geometry/polygon.h"
 
-namespace nilas {
+namespace nilas::field {
 
 namespace {
 
@@ -57,7 +57,7 @@ class FieldReader {
     return feature["geometry"];
   }
 
-  WeakLine weak_line(const json& feature, const json& geometry) const {
+  bodies::WeakLine weak_line(const json& feature, const json& geometry) const {
     const json line = geometry.value("coordinates", json());
     if (!line.is_array() || line.size() < 2) refuse("expected coordinates: an array of two points or more");
     const double strength = feature.contains("properties") ? number(feature["properties"], "strength") : 0;
@@ -99,8 +99,8 @@ class FieldReader {
     if (points.size() < k_fewest_points) refuse(fmt::format("found {} points, allowed 4 or more", points.size()));
     if (points.front() != points.back()) refuse("the ring is not closed: its last point must repeat the first");
     points.pop_back();
-    if (!is_simple(points)) refuse("the outline crosses or touches itself");
-    if (is_clockwise(points)) std::reverse(points.begin(), points.end());
+    if (!geometry::is_simple(points)) refuse("the outline crosses or touches itself");
+    if (geometry::is_clockwise(points)) std::reverse(points.begin(), points.end());
     return points;
   }
 
@@ -119,7 +119,7 @@ class FieldReader {
 double deepest_of_pieces(const std::vector<std::vector<Vec2>>& a, const std::vector<std::vector<Vec2>>& b) {
   double deepest = 0;
   for (const auto& piece : a)
-    for (const auto& other : b) deepest = std::max(deepest, convex_overlap(piece, other));
+    for (const auto& other : b) deepest = std::max(deepest, geometry::convex_overlap(piece, other));
   return deepest;
 }
 
@@ -129,10 +129,10 @@ double deepest_between(const std::vector<FieldFloe>& floes) {
   for (const FieldFloe& floe : floes) {
     circles.push_back(loose_floe(floe.outline));
     pieces.emplace_back();
-    if (is_convex(floe.outline))
+    if (geometry::is_convex(floe.outline))
       pieces.back().push_back(floe.outline);
     else
-      pieces.back() = convex_pieces(floe.outline);
+      pieces.back() = geometry::convex_pieces(floe.outline);
   }
   double deepest = 0;
   for (const auto& [a, b] : near_pairs(circles, 1, 0))
@@ -153,7 +153,7 @@ json feature_of(const FieldFloe& floe) {
           {"geometry", {{"type", "Polygon"}, {"coordinates", json::array({ring})}}}};
 }
 
-json feature_of(const WeakLine& line) {
+json feature_of(const bodies::WeakLine& line) {
   json points = json::array();
   for (const Vec2& p : line.points) points.push_back({p.x(), p.y()});
   return {{"type", "Feature"},
@@ -172,7 +172,7 @@ FieldResult read_field(const std::filesystem::path& file) {
 void write_field(const FieldResult& field, const std::filesystem::path& file) {
   json features = json::array();
   for (const FieldFloe& floe : field.floes) features.push_back(feature_of(floe));
-  for (const WeakLine& line : field.weak_lines) features.push_back(feature_of(line));
+  for (const bodies::WeakLine& line : field.weak_lines) features.push_back(feature_of(line));
   const json root = {{"type", "FeatureCollection"},
                      {"properties", {{"concentration", field.concentration}, {"worst_overlap_m", field.worst_overlap}}},
                      {"features", std::move(features)}};
@@ -182,4 +182,4 @@ void write_field(const FieldResult& field, const std::filesystem::path& file) {
   if (!out) throw FileError(file.string() + ": cannot write the ice field");
 }
 
-}  // namespace nilas
+}  // namespace nilas::field

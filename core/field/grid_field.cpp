@@ -9,7 +9,7 @@
 #include "core/field/spec/loose_floe.h"
 #include "core/geometry/mass_properties.h"
 
-namespace nilas {
+namespace nilas::field {
 
 namespace {
 
@@ -132,7 +132,7 @@ FieldResult grid_field(const GridSpec& spec) {
       ++result.left_out;
       continue;
     }
-    ice += polygon_moments(piece).area;
+    ice += geometry::polygon_moments(piece).area;
     result.floes.push_back({std::move(piece)});
   }
   const double free = free_area(spec.low, spec.high, keep_out);
@@ -140,4 +140,4 @@ FieldResult grid_field(const GridSpec& spec) {
   return result;
 }
 
-}  // namespace nilas
+}  // namespace nilas::field

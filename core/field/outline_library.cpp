@@ -12,7 +12,7 @@
 #include "core/geometry/orientation.h"
 #include "core/geometry/polygon.h"
 
-namespace nilas {
+namespace nilas::field {
 
 namespace {
 
@@ -53,9 +53,9 @@ class LibraryReader {
     }
     if (corners.size() > 1 && corners.front() == corners.back()) corners.pop_back();
     if (corners.size() < 3) refuse(fmt::format("found {} corners, allowed 3 or more", corners.size()));
-    if (!is_simple(corners)) refuse("the outline crosses or touches itself");
-    if (is_clockwise(corners)) std::reverse(corners.begin(), corners.end());
-    if (!(polygon_moments(corners).area > 0)) refuse("the outline has no area");
+    if (!geometry::is_simple(corners)) refuse("the outline crosses or touches itself");
+    if (geometry::is_clockwise(corners)) std::reverse(corners.begin(), corners.end());
+    if (!(geometry::polygon_moments(corners).area > 0)) refuse("the outline has no area");
     return corners;
   }
 
@@ -86,4 +86,4 @@ std::vector<std::vector<Vec2>> read_outlines(const std::filesystem::path& file) 
   return outlines;
 }
 
-}  // namespace nilas
+}  // namespace nilas::field

@@ -18,7 +18,7 @@
 #include "core/field/spec/keep_out.h"
 #include "core/field/spec/packed_spec.h"
 
-namespace nilas {
+namespace nilas::field {
 
 namespace {
 
@@ -274,4 +274,4 @@ FieldResult pack_field(const PackedSpec& spec) {
   return Packing(spec).run();
 }
 
-}  // namespace nilas
+}  // namespace nilas::field

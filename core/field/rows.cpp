@@ -5,7 +5,7 @@
 
 #include "core/field/spec/keep_out.h"
 
-namespace nilas {
+namespace nilas::field {
 
 namespace {
 
@@ -150,4 +150,4 @@ int place_in_rows(std::vector<LooseFloe>& floes, const FieldBounds& bounds, doub
   return best;
 }
 
-}  // namespace nilas
+}  // namespace nilas::field

@@ -5,7 +5,7 @@
 #include "core/base/random.h"
 #include "core/field/spec/loose_floe.h"
 
-namespace nilas {
+namespace nilas::field {
 
 /// Lays equal floes with four corners, whose first edge is along X at angle zero, in rows along X or Y, whichever holds
 /// more. Water is distributed at random between the rows and between the floes of a row, with at least `gap` [m]
@@ -13,4 +13,4 @@ namespace nilas {
 /// these are fewer than there are floes.
 int place_in_rows(std::vector<LooseFloe>& floes, const FieldBounds& bounds, double gap, RandomStream& random);
 
-}  // namespace nilas
+}  // namespace nilas::field

@@ -10,7 +10,7 @@
 #include "core/geometry/mass_properties.h"
 #include "core/geometry/polygon.h"
 
-namespace nilas {
+namespace nilas::field {
 
 namespace {
 
@@ -29,7 +29,7 @@ std::vector<Vec2> with_track(std::vector<Vec2> outline, const Vec2& low, const V
   const double beyond = 2 * (high - low).norm();
   const std::size_t n = outline.size();
   for (std::size_t i = 0; i < n; ++i) outline.push_back(outline[i] + beyond * aft.normalized());
-  return convex_hull(std::move(outline));
+  return geometry::convex_hull(std::move(outline));
 }
 
 void check_region(const char* kind, const Vec2& low, const Vec2& high) {
@@ -49,7 +49,7 @@ FieldResult level_field(const LevelSpec& spec) {
   FieldResult result;
   double ice = 0;
   for (auto& piece : outline_difference(rectangle(spec.low, spec.high), open)) {
-    ice += polygon_moments(piece).area;
+    ice += geometry::polygon_moments(piece).area;
     result.floes.push_back({std::move(piece)});
   }
   if (result.floes.empty()) throw InputError("level field: the keep-out outlines cover the region");
@@ -82,4 +82,4 @@ FieldResult channel_field(const ChannelSpec& spec) {
   return result;
 }
 
-}  // namespace nilas
+}  // namespace nilas::field

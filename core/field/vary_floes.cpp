@@ -7,7 +7,7 @@
 #include "core/base/random.h"
 #include "core/geometry/mass_properties.h"
 
-namespace nilas {
+namespace nilas::field {
 
 namespace {
 
@@ -87,7 +87,7 @@ std::vector<TexturedProperty> FloeVariation::draw(FieldFloe& floe, const std::st
       value = mean * spreads_[k].distribution.at_score(score(k, name));
       continue;
     }
-    const Vec2 centre = polygon_moments(floe.outline).centroid;
+    const Vec2 centre = geometry::polygon_moments(floe.outline).centroid;
     std::vector<Vec2> outline = floe.outline;
     for (Vec2& x : outline) x -= centre;
     const FloeTexture texture(planes_[k], mean, centre);
@@ -97,4 +97,4 @@ std::vector<TexturedProperty> FloeVariation::draw(FieldFloe& floe, const std::st
   return textures;
 }
 
-}  // namespace nilas
+}  // namespace nilas::field

@@ -9,7 +9,7 @@
 #include "core/field/sizes/floe_property.h"
 #include "core/field/sizes/floe_texture.h"
 
-namespace nilas {
+namespace nilas::field {
 
 /// The variation of one property over the floes.
 struct PropertySpread {
@@ -53,4 +53,4 @@ class FloeVariation {
   std::vector<std::shared_ptr<const PropertyPlane>> planes_;  ///< null: one value per floe
 };
 
-}  // namespace nilas
+}  // namespace nilas::field

@@ -12,7 +12,7 @@
 #include "core/field/spec/packed_spec.h"
 #include "core/geometry/mass_properties.h"
 
-namespace nilas {
+namespace nilas::field {
 
 namespace {
 
@@ -54,7 +54,7 @@ std::vector<PowerCell> cells_of(const std::vector<double>& areas, const FieldBou
 
 /// The cell shrunk about its centroid to `area` [m^2].
 FieldFloe shrunk(const PowerCell& cell, double area) {
-  const Vec2 centre = polygon_moments(cell.outline).centroid;
+  const Vec2 centre = geometry::polygon_moments(cell.outline).centroid;
   const double scale = std::min(1.0, std::sqrt(area / cell.area));
   FieldFloe floe;
   for (const Vec2& corner : cell.outline) floe.outline.push_back(centre + scale * (corner - centre));
@@ -80,7 +80,7 @@ FieldResult voronoi_field(const PackedSpec& spec) {
   double ice = 0;
   for (std::size_t i = 0; i < cells.size(); ++i) {
     result.floes.push_back(shrunk(cells[i], areas[i]));
-    ice += polygon_moments(result.floes.back().outline).area;
+    ice += geometry::polygon_moments(result.floes.back().outline).area;
   }
   result.concentration = ice / water;
   return result;
@@ -103,4 +103,4 @@ FieldResult frozen_field(const PackedSpec& spec, const Vec2& aft, double strengt
   return result;
 }
 
-}  // namespace nilas
+}  // namespace nilas::field

@@ -12,7 +12,7 @@
 #include "core/geometry/orientation.h"
 #include "core/geometry/polygon.h"
 
-namespace nilas {
+namespace nilas::geometry {
 
 namespace {
 
@@ -90,4 +90,4 @@ std::vector<std::vector<Vec2>> convex_pieces(const std::vector<Vec2>& outline) {
   return pieces;
 }
 
-}  // namespace nilas
+}  // namespace nilas::geometry

@@ -7,7 +7,7 @@
 #include "core/geometry/coplanar_groups.h"
 #include "core/geometry/polygon.h"
 
-namespace nilas {
+namespace nilas::geometry {
 
 namespace {
 
@@ -107,4 +107,4 @@ std::vector<std::vector<int>> coplanar_faces(const TriangleMesh& mesh, double to
   return faces;
 }
 
-}  // namespace nilas
+}  // namespace nilas::geometry

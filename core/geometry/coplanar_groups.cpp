@@ -7,7 +7,7 @@
 
 #include "core/base/error.h"
 
-namespace nilas {
+namespace nilas::geometry {
 
 namespace {
 
@@ -131,4 +131,4 @@ std::vector<std::vector<int>> coplanar_groups(const TriangleMesh& mesh,
   return groups;
 }
 
-}  // namespace nilas
+}  // namespace nilas::geometry

@@ -5,7 +5,7 @@
 
 #include "core/geometry/mesh.h"
 
-namespace nilas {
+namespace nilas::geometry {
 
 /// The triangle beyond the edge (k, k+1), k = 0, 1, 2, of each triangle of a closed manifold mesh.
 std::vector<std::array<int, 3>> triangle_neighbours(const TriangleMesh& mesh);
@@ -15,4 +15,4 @@ std::vector<std::array<int, 3>> triangle_neighbours(const TriangleMesh& mesh);
 std::vector<std::vector<int>> coplanar_groups(const TriangleMesh& mesh,
                                               const std::vector<std::array<int, 3>>& neighbours, double tolerance);
 
-}  // namespace nilas
+}  // namespace nilas::geometry

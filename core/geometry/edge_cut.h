@@ -4,7 +4,7 @@
 
 #include "core/base/math.h"
 
-namespace nilas {
+namespace nilas::geometry {
 
 /// The point where the edge from a to b meets the plane z = level; nothing if both ends lie below it, or none does.
 inline std::optional<Vec3> edge_cut(const Vec3& a, const Vec3& b, double level) {
@@ -12,4 +12,4 @@ inline std::optional<Vec3> edge_cut(const Vec3& a, const Vec3& b, double level) 
   return Vec3(a + (level - a.z()) / (b.z() - a.z()) * (b - a));
 }
 
-}  // namespace nilas
+}  // namespace nilas::geometry

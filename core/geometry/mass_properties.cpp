@@ -6,7 +6,7 @@
 #include "core/base/mirror_order.h"
 #include "core/base/order_free_sum.h"
 
-namespace nilas {
+namespace nilas::geometry {
 
 namespace {
 
@@ -155,4 +155,4 @@ bool physically_valid_inertia(const Mat3& inertia) {
   return moments[0] > k_rounding * moments[2] && moments[0] + moments[1] >= moments[2] * (1 - k_rounding);
 }
 
-}  // namespace nilas
+}  // namespace nilas::geometry

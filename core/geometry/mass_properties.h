@@ -5,7 +5,7 @@
 #include "core/base/math.h"
 #include "core/geometry/mesh.h"
 
-namespace nilas {
+namespace nilas::geometry {
 
 /// Mass, centre and inertia of a rigid body, all in one body frame.
 struct MassProperties {
@@ -35,4 +35,4 @@ MassProperties mesh_properties(const TriangleMesh& mesh, double density);
 /// Symmetric, principal moments positive, and none exceeds the sum of the other two (within rounding).
 bool physically_valid_inertia(const Mat3& inertia);
 
-}  // namespace nilas
+}  // namespace nilas::geometry

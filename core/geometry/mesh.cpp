@@ -6,7 +6,7 @@
 
 #include "core/base/error.h"
 
-namespace nilas {
+namespace nilas::geometry {
 
 namespace {
 
@@ -116,4 +116,4 @@ TriangleMesh rounded_to_float(TriangleMesh mesh) {
   return mesh;
 }
 
-}  // namespace nilas
+}  // namespace nilas::geometry

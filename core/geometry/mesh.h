@@ -7,7 +7,7 @@
 
 #include "core/base/math.h"
 
-namespace nilas {
+namespace nilas::geometry {
 
 /// Indexed triangle mesh; triangles wind counter-clockwise seen from outside.
 struct TriangleMesh {
@@ -42,4 +42,4 @@ TriangleMesh rounded_to_float(TriangleMesh mesh);
 /// Volume inside a closed mesh, negative when it is wound inwards [m^3].
 double signed_volume(const TriangleMesh& mesh);
 
-}  // namespace nilas
+}  // namespace nilas::geometry

@@ -2,7 +2,7 @@
 /// Extent of a mesh.
 #include "core/geometry/mesh.h"
 
-namespace nilas {
+namespace nilas::geometry {
 
 /// Box around all vertices, whether triangles use them or not; empty for a mesh without any.
 inline Eigen::AlignedBox3d box_of(const TriangleMesh& mesh) {
@@ -11,4 +11,4 @@ inline Eigen::AlignedBox3d box_of(const TriangleMesh& mesh) {
   return box;
 }
 
-}  // namespace nilas
+}  // namespace nilas::geometry

@@ -7,7 +7,7 @@
 #include "core/geometry/coplanar_faces.h"
 #include "core/geometry/shape.h"
 
-namespace nilas {
+namespace nilas::geometry {
 
 namespace {
 
@@ -85,4 +85,4 @@ ConvexPolytope make_polytope(const TriangleMesh& mesh, double tolerance) {
   return p;
 }
 
-}  // namespace nilas
+}  // namespace nilas::geometry

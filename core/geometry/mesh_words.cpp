@@ -6,7 +6,7 @@
 
 #include "core/base/error.h"
 
-namespace nilas {
+namespace nilas::geometry {
 
 namespace {
 
@@ -111,4 +111,4 @@ void MeshWords::fail(const std::string& expected, std::string_view found) const 
                         : "'" + printable(found) + "'"));
 }
 
-}  // namespace nilas
+}  // namespace nilas::geometry

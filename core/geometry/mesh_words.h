@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-namespace nilas {
+namespace nilas::geometry {
 
 /// Where a text begins in its file, and what in it is no word.
 struct WordRules {
@@ -52,4 +52,4 @@ class MeshWords {
   int line_;
 };
 
-}  // namespace nilas
+}  // namespace nilas::geometry

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace nilas {
+namespace nilas::geometry {
 
 int orientation(const Vec2& a, const Vec2& b, const Vec2& c) {
   using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_2;
@@ -19,4 +19,4 @@ bool is_clockwise(const std::vector<Vec2>& outline) {
   return orientation(outline[(i + n - 1) % n], *lowest, outline[(i + 1) % n]) < 0;
 }
 
-}  // namespace nilas
+}  // namespace nilas::geometry

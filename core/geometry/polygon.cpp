@@ -5,7 +5,7 @@
 
 #include "core/geometry/orientation.h"
 
-namespace nilas {
+namespace nilas::geometry {
 
 namespace {
 
@@ -115,4 +115,4 @@ double convex_overlap(const std::vector<Vec2>& a, const std::vector<Vec2>& b) {
   return -std::max(edge_separation(a, b), edge_separation(b, a));
 }
 
-}  // namespace nilas
+}  // namespace nilas::geometry

@@ -4,7 +4,7 @@
 
 #include "core/base/math.h"
 
-namespace nilas {
+namespace nilas::geometry {
 
 /// True when no two edges cross or touch except neighbours at their shared vertex, and no edge has length zero: none is
 /// too short. Decided exactly.
@@ -29,4 +29,4 @@ std::vector<Vec2> convex_hull(std::vector<Vec2> points);
 /// normal, at most the distance [m].
 double convex_overlap(const std::vector<Vec2>& a, const std::vector<Vec2>& b);
 
-}  // namespace nilas
+}  // namespace nilas::geometry

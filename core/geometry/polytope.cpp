@@ -6,7 +6,7 @@
 #include "core/base/order_free_sum.h"
 #include "core/geometry/shape.h"
 
-namespace nilas {
+namespace nilas::geometry {
 
 namespace {
 
@@ -95,4 +95,4 @@ ConvexPolytope make_box(const Vec3& size) {
   return make_prism({{-x, -y}, {x, -y}, {x, y}, {-x, y}}, -z, z);
 }
 
-}  // namespace nilas
+}  // namespace nilas::geometry

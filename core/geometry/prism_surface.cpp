@@ -6,7 +6,7 @@
 #include "core/base/error.h"
 #include "core/geometry/polygon.h"
 
-namespace nilas {
+namespace nilas::geometry {
 
 namespace {
 
@@ -60,4 +60,4 @@ TriangleMesh prism_surface(const std::vector<Vec2>& outline, const std::vector<s
   return mesh;
 }
 
-}  // namespace nilas
+}  // namespace nilas::geometry

@@ -9,7 +9,7 @@
 #include "core/geometry/polygon.h"
 #include "core/geometry/prism_surface.h"
 
-namespace nilas {
+namespace nilas::geometry {
 
 namespace {
 
@@ -106,4 +106,4 @@ Shape mesh_shape(TriangleMesh surface, std::vector<ConvexPolytope> parts) {
   return s;
 }
 
-}  // namespace nilas
+}  // namespace nilas::geometry

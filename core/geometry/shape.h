@@ -7,7 +7,7 @@
 #include "core/base/math.h"
 #include "core/geometry/mesh.h"
 
-namespace nilas {
+namespace nilas::geometry {
 
 /// Convex polytope with polygonal faces, in a body frame.
 struct ConvexPolytope {
@@ -62,4 +62,4 @@ Shape plane_shape();
 /// Mesh whose vertices are already relative to the centre of mass. `parts`: convex parts in the same frame.
 Shape mesh_shape(TriangleMesh surface, std::vector<ConvexPolytope> parts);
 
-}  // namespace nilas
+}  // namespace nilas::geometry

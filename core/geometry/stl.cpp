@@ -10,7 +10,7 @@
 #include "core/geometry/stl_text.h"
 #include "core/geometry/weld.h"
 
-namespace nilas {
+namespace nilas::geometry {
 
 namespace {
 
@@ -89,4 +89,4 @@ void write_stl(const TriangleMesh& mesh, const std::filesystem::path& file) {
   if (!out) throw FileError(file.string() + ": cannot be written completely");
 }
 
-}  // namespace nilas
+}  // namespace nilas::geometry

@@ -3,7 +3,7 @@
 #include "core/geometry/mesh_words.h"
 #include "core/geometry/weld.h"
 
-namespace nilas {
+namespace nilas::geometry {
 
 namespace {
 
@@ -46,4 +46,4 @@ TriangleMesh parse_stl_text(const std::string& text, const std::string& file) {
   return weld.take();
 }
 
-}  // namespace nilas
+}  // namespace nilas::geometry

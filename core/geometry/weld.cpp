@@ -1,6 +1,6 @@
 #include "core/geometry/weld.h"
 
-namespace nilas {
+namespace nilas::geometry {
 
 void Weld::add(const std::array<Vec3, 3>& corners) {
   mesh_.triangles.push_back({vertex(corners[0]), vertex(corners[1]), vertex(corners[2])});
@@ -13,4 +13,4 @@ int Weld::vertex(const Vec3& p) {
   return found->second;
 }
 
-}  // namespace nilas
+}  // namespace nilas::geometry

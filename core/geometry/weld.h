@@ -6,7 +6,7 @@
 
 #include "core/geometry/mesh.h"
 
-namespace nilas {
+namespace nilas::geometry {
 
 /// Bit-equal points become one vertex (-0 counts as 0); vertices are numbered in order of first appearance.
 class Weld {
@@ -21,4 +21,4 @@ class Weld {
   std::map<std::array<double, 3>, int> index_;
 };
 
-}  // namespace nilas
+}  // namespace nilas::geometry

@@ -9,7 +9,7 @@
 
 #include "core/base/error.h"
 
-namespace nilas {
+namespace nilas::hdf5 {
 
 namespace {
 
@@ -241,4 +241,4 @@ void Hdf5Columns::sync() const {
 
 void Hdf5Columns::fail(const std::string& why) const { throw FileError(path_.string() + ": cannot write: " + why); }
 
-}  // namespace nilas
+}  // namespace nilas::hdf5

@@ -15,7 +15,7 @@
 
 #include "core/hdf5/hdf5_file.h"
 
-namespace nilas {
+namespace nilas::hdf5 {
 
 struct Hdf5Column {
   std::string name, unit, meaning;                                      ///< unit and meaning become attributes
@@ -73,4 +73,4 @@ class Hdf5Columns {
   bool failed_ = false;
 };
 
-}  // namespace nilas
+}  // namespace nilas::hdf5

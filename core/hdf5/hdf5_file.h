@@ -12,7 +12,7 @@
 
 #include "core/base/math.h"
 
-namespace nilas {
+namespace nilas::hdf5 {
 
 /// HDF5's identifier of an open object, closed at the end of its life.
 class Hdf5Handle {
@@ -119,4 +119,4 @@ class Hdf5Writer {
   Hdf5Handle file_;
 };
 
-}  // namespace nilas
+}  // namespace nilas::hdf5

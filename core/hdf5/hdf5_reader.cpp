@@ -7,7 +7,7 @@
 #include "core/base/error.h"
 #include "core/hdf5/hdf5_file.h"
 
-namespace nilas {
+namespace nilas::hdf5 {
 
 static_assert(sizeof(hid_t) == sizeof(std::int64_t));
 
@@ -264,4 +264,4 @@ std::vector<std::string> Hdf5Reader::datasets(const std::string& group) const {
   return names;
 }
 
-}  // namespace nilas
+}  // namespace nilas::hdf5

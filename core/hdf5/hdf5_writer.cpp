@@ -7,7 +7,7 @@
 #include "core/base/error.h"
 #include "core/hdf5/hdf5_file.h"
 
-namespace nilas {
+namespace nilas::hdf5 {
 
 /// HDF5 has no reason to refuse what we make in memory, short of memory itself.
 static void demand_made(bool made, const std::string& name) {
@@ -95,4 +95,4 @@ void Hdf5Writer::save(const std::filesystem::path& path, bool synced) const {
   throw FileError(path.string() + ": cannot be written");
 }
 
-}  // namespace nilas
+}  // namespace nilas::hdf5

@@ -13,11 +13,11 @@
 #include "core/geometry/mesh.h"
 #include "core/geometry/shape.h"
 
-namespace nilas {
+namespace nilas::hull {
 
 struct Hull {
-  TriangleMesh fluid;               ///< frame V: x forward, y port, z up
-  std::vector<TriangleMesh> parts;  ///< convex, frame V
+  geometry::TriangleMesh fluid;               ///< frame V: x forward, y port, z up
+  std::vector<geometry::TriangleMesh> parts;  ///< convex, frame V
 };
 
 /// Reads a hull folder, or a single convex STL file, which is then its own only part. Throws FileError (missing,
@@ -55,4 +55,4 @@ HullForm hull_form(const std::string& kind, const std::map<std::string, double>&
 /// binary STL. Throws InputError naming the parameter and what is allowed.
 Hull generate_hull(const HullForm& form);
 
-}  // namespace nilas
+}  // namespace nilas::hull

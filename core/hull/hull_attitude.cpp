@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-namespace nilas {
+namespace nilas::hull {
 
 namespace {
 
@@ -34,7 +34,7 @@ int longer(const HullMeasures& m, int a, int b) { return m.size()[b] > m.size()[
 
 /// Axes with forward along `forward` and port along `port`, in the directions that the shape indicates; otherwise as
 /// drawn or along the axis.
-MeshAxes directed(const TriangleMesh& mesh, int forward, int port) {
+MeshAxes directed(const geometry::TriangleMesh& mesh, int forward, int port) {
   MeshAxes axes{{forward, 1}, {3 - forward - port, 1}};
   const HullMeasures m = measure_hull(turned(mesh, axes));
   if (deck_direction(m) < 0) axes.up.sign = -1;
@@ -62,7 +62,7 @@ std::optional<Lying> by_planes(const HullMeasures& m) {
   return std::nullopt;
 }
 
-std::optional<HullAttitude> by_symmetry(const TriangleMesh& mesh, const HullMeasures& m, bool fixed) {
+std::optional<HullAttitude> by_symmetry(const geometry::TriangleMesh& mesh, const HullMeasures& m, bool fixed) {
   const auto lying = by_planes(m);
   if (!lying) return std::nullopt;
   // an upright prism of any outline is symmetric top to bottom, and a pier stands on end
@@ -74,7 +74,7 @@ std::optional<HullAttitude> by_symmetry(const TriangleMesh& mesh, const HullMeas
 
 /// Attitude from the side lengths of a floating solid that is symmetric about y = const, where they do not fit a ship
 /// or barge.
-std::optional<HullAttitude> by_slenderness(const TriangleMesh& mesh, const HullMeasures& m) {
+std::optional<HullAttitude> by_slenderness(const geometry::TriangleMesh& mesh, const HullMeasures& m) {
   const Vec3 size = m.size();
   constexpr double k_broad = 1.5, k_high = 1.5, k_long = 2, k_very_broad = 2.5, k_longer = 1.2;
   const auto lies = [&](int forward, int port) {
@@ -124,7 +124,7 @@ int bow_direction(const HullMeasures& m) {
   return 0;
 }
 
-HullAttitude probable_attitude(const TriangleMesh& mesh, bool fixed) {
+HullAttitude probable_attitude(const geometry::TriangleMesh& mesh, bool fixed) {
   const HullMeasures m = measure_hull(mesh);
   if (const auto found = by_symmetry(mesh, m, fixed)) return *found;
   if (fixed) return {};
@@ -133,4 +133,4 @@ HullAttitude probable_attitude(const TriangleMesh& mesh, bool fixed) {
   return by_ends_and_faces(m);
 }
 
-}  // namespace nilas
+}  // namespace nilas::hull

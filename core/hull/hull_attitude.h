@@ -3,7 +3,7 @@
 #include "core/hull/hull_axes.h"
 #include "core/hull/hull_measures.h"
 
-namespace nilas {
+namespace nilas::hull {
 
 /// The feature of the shape that indicates the orientation.
 enum class AttitudeSign {
@@ -28,6 +28,6 @@ int bow_direction(const HullMeasures& measures);
 /// The probable attitude. Hulls that are round, square or as long as broad keep theirs. For a `fixed` structure, bow
 /// and stern as well as top and bottom stay, unless its plane of symmetry shows that it lies across: foundations widen
 /// downwards, and piers stand upright. The mesh must be closed and outward.
-HullAttitude probable_attitude(const TriangleMesh& mesh, bool fixed);
+HullAttitude probable_attitude(const geometry::TriangleMesh& mesh, bool fixed);
 
-}  // namespace nilas
+}  // namespace nilas::hull

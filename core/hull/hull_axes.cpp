@@ -2,7 +2,7 @@
 
 #include "core/base/error.h"
 
-namespace nilas {
+namespace nilas::hull {
 
 MeshAxis mesh_axis(const std::string& name) {
   for (int of = 0; of < 3; ++of)
@@ -24,10 +24,10 @@ Mat3 MeshAxes::to_vessel() const {
   return R;
 }
 
-TriangleMesh turned(TriangleMesh mesh, const MeshAxes& axes) {
+geometry::TriangleMesh turned(geometry::TriangleMesh mesh, const MeshAxes& axes) {
   const Mat3 R = axes.to_vessel();
   for (auto& p : mesh.vertices) p = R * p;
   return mesh;
 }
 
-}  // namespace nilas
+}  // namespace nilas::hull

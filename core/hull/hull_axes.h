@@ -5,7 +5,7 @@
 
 #include "core/geometry/mesh.h"
 
-namespace nilas {
+namespace nilas::hull {
 
 /// One of a mesh's coordinate axes, in either direction.
 struct MeshAxis {
@@ -37,6 +37,6 @@ struct MeshAxes {
 };
 
 /// The mesh in frame V. Throws ContractError where forward and up are along one axis.
-TriangleMesh turned(TriangleMesh mesh, const MeshAxes& axes);
+geometry::TriangleMesh turned(geometry::TriangleMesh mesh, const MeshAxes& axes);
 
-}  // namespace nilas
+}  // namespace nilas::hull

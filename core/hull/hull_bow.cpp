@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace nilas {
+namespace nilas::hull {
 
 namespace {
 
@@ -73,4 +73,4 @@ std::vector<BowPoint> bow_points(const HullForm& form, int edges) {
                                 : power_curve(fullness, std::tan(form.entrance_angle), edges);
 }
 
-}  // namespace nilas
+}  // namespace nilas::hull

@@ -4,7 +4,7 @@
 
 #include "core/hull/hull.h"
 
-namespace nilas {
+namespace nilas::hull {
 
 /// Fullness of the bow: half the beam divided by the drop of a straight bow of this length and entrance angle. 1 is a
 /// wedge; small values are full shoulders behind a blunt entrance; above 1 the bow is too short for the angle.
@@ -21,4 +21,4 @@ struct BowPoint {
 /// gives drop = t^p / p with p = 1 / fullness.
 std::vector<BowPoint> bow_points(const HullForm& form, int edges);
 
-}  // namespace nilas
+}  // namespace nilas::hull

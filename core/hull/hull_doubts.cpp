@@ -8,7 +8,7 @@
 
 #include "core/hull/hull_attitude.h"
 
-namespace nilas {
+namespace nilas::hull {
 
 namespace {
 
@@ -106,7 +106,7 @@ void doubt_size(const Vec3& size, const HullUse& use, std::vector<std::string>& 
 }
 
 /// A port or starboard half, closed in the centre plane.
-bool half_a_hull(const TriangleMesh& mesh, const HullMeasures& m) {
+bool half_a_hull(const geometry::TriangleMesh& mesh, const HullMeasures& m) {
   constexpr double k_at_zero = 1e-3, k_alike = 0.02, k_flat_share = 0.4;
   const Vec3 size = m.size();
   if (std::min(std::abs(m.low.y()), std::abs(m.high.y())) > k_at_zero * size.y() || m.lopsided.y() < k_alike)
@@ -158,7 +158,7 @@ static constexpr std::string_view k_half =
     "The hull lies on one side of y = 0, with a flat face there: it is probably half a hull. Mirror it in the program "
     "that drew it.";
 
-std::vector<std::string> hull_doubts(const TriangleMesh& mesh, const HullUse& use) {
+std::vector<std::string> hull_doubts(const geometry::TriangleMesh& mesh, const HullUse& use) {
   std::vector<std::string> doubts;
   const HullMeasures m = measure_hull(mesh);
   doubt_size(m.size(), use, doubts);
@@ -175,4 +175,4 @@ std::vector<std::string> hull_doubts(const TriangleMesh& mesh, const HullUse& us
   return doubts;
 }
 
-}  // namespace nilas
+}  // namespace nilas::hull

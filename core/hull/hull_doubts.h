@@ -6,7 +6,7 @@
 
 #include "core/hull/hull_axes.h"
 
-namespace nilas {
+namespace nilas::hull {
 
 /// Origin and use of a hull; advice names the file and the flags of `nilas hull`.
 struct HullUse {
@@ -22,6 +22,6 @@ struct HullUse {
 
 /// Whole sentences, one entry for each probable mistake, with its correction; empty for a plausible hull. `mesh`:
 /// closed and outward, in frame V [m].
-std::vector<std::string> hull_doubts(const TriangleMesh& mesh, const HullUse& use);
+std::vector<std::string> hull_doubts(const geometry::TriangleMesh& mesh, const HullUse& use);
 
-}  // namespace nilas
+}  // namespace nilas::hull

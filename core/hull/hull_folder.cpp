@@ -10,7 +10,7 @@
 #include "core/hull/hull.h"
 #include "core/hull/hull_parts.h"
 
-namespace nilas {
+namespace nilas::hull {
 
 namespace fs = std::filesystem;
 
@@ -19,16 +19,16 @@ namespace {
 /// Tolerance of convexity as a share of half the longest side: STL files hold float32 coordinates.
 constexpr double k_convex_tolerance = 1e-5;
 
-TriangleMesh read_sound(const fs::path& file) {
-  TriangleMesh mesh = read_stl(file);
-  const MeshDefects defects = find_defects(mesh);
+geometry::TriangleMesh read_sound(const fs::path& file) {
+  geometry::TriangleMesh mesh = geometry::read_stl(file);
+  const geometry::MeshDefects defects = geometry::find_defects(mesh);
   if (!defects.sound()) throw InputError(file.string() + ": not a closed outward solid: " + defects.text());
   return mesh;
 }
 
-void demand_convex(const TriangleMesh& mesh, const fs::path& file, const std::string& advice) {
+void demand_convex(const geometry::TriangleMesh& mesh, const fs::path& file, const std::string& advice) {
   try {
-    make_polytope(mesh, k_convex_tolerance * 0.5 * box_of(mesh).sizes().maxCoeff());
+    geometry::make_polytope(mesh, k_convex_tolerance * 0.5 * geometry::box_of(mesh).sizes().maxCoeff());
   } catch (const InputError& e) {
     throw InputError(file.string() + ": " + e.what() + advice);
   }
@@ -69,12 +69,12 @@ Hull read_hull(const fs::path& path) {
 }
 
 void write_hull(const Hull& hull, const fs::path& folder, const std::string& json) {
-  write_stl(hull.fluid, folder / "fluid.stl");
-  for (std::size_t k = 0; k < hull.parts.size(); ++k) write_stl(hull.parts[k], folder / part_name(k + 1));
+  geometry::write_stl(hull.fluid, folder / "fluid.stl");
+  for (std::size_t k = 0; k < hull.parts.size(); ++k) geometry::write_stl(hull.parts[k], folder / part_name(k + 1));
   std::ofstream out(folder / "hull.json");
   out << json;
   out.close();
   if (!out) throw FileError((folder / "hull.json").string() + ": cannot be written");
 }
 
-}  // namespace nilas
+}  // namespace nilas::hull

@@ -5,7 +5,7 @@
 #include "core/base/error.h"
 #include "core/hull/hull.h"
 
-namespace nilas {
+namespace nilas::hull {
 
 namespace {
 
@@ -83,4 +83,4 @@ HullForm hull_form(HullKind kind, const std::map<std::string, double>& parameter
   return form;
 }
 
-}  // namespace nilas
+}  // namespace nilas::hull

@@ -6,7 +6,7 @@
 #include "core/hull/hull.h"
 #include "core/hull/hull_lines.h"
 
-namespace nilas {
+namespace nilas::hull {
 
 namespace {
 
@@ -28,7 +28,7 @@ class SurfaceBuilder {
     cap(0, heights.front(), false);
     cap(lines.size() - 1, heights.back(), true);
   }
-  TriangleMesh take() { return rounded_to_float(std::move(mesh_)); }
+  geometry::TriangleMesh take() { return geometry::rounded_to_float(std::move(mesh_)); }
 
  private:
   int add(const Vec3& p) {
@@ -72,10 +72,10 @@ class SurfaceBuilder {
 
   const std::vector<Waterline>& lines_;
   std::vector<std::vector<int>> port_, starboard_;
-  TriangleMesh mesh_;
+  geometry::TriangleMesh mesh_;
 };
 
-TriangleMesh surface(const HullForm& form, const HullFineness& fineness) {
+geometry::TriangleMesh surface(const HullForm& form, const HullFineness& fineness) {
   const auto heights = waterline_heights(form, fineness);
   std::vector<Waterline> lines;
   for (const double z : heights) lines.push_back(waterline(form, fineness, z));
@@ -134,4 +134,4 @@ Hull generate_hull(const HullForm& form) {
   return hull;
 }
 
-}  // namespace nilas
+}  // namespace nilas::hull

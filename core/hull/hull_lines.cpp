@@ -8,7 +8,7 @@
 #include "core/base/error.h"
 #include "core/hull/hull_bow.h"
 
-namespace nilas {
+namespace nilas::hull {
 
 namespace {
 
@@ -185,4 +185,4 @@ void demand_sensible(const HullForm& form) {
   demand_parallel_body(form);
 }
 
-}  // namespace nilas
+}  // namespace nilas::hull

@@ -13,7 +13,7 @@
 #include "core/base/math.h"
 #include "core/hull/hull.h"
 
-namespace nilas {
+namespace nilas::hull {
 
 /// One height's waterline, port side, from the transom's centre (y = 0) to the stem (y = 0).
 using Waterline = std::vector<Vec2>;
@@ -32,4 +32,4 @@ Waterline waterline(const HullForm& form, const HullFineness& fineness, double z
 /// Throws InputError naming the parameter, what was found and what is allowed.
 void demand_sensible(const HullForm& form);
 
-}  // namespace nilas
+}  // namespace nilas::hull

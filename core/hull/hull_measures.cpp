@@ -5,7 +5,7 @@
 
 #include "core/geometry/mesh_box.h"
 
-namespace nilas {
+namespace nilas::hull {
 
 namespace {
 
@@ -32,7 +32,7 @@ std::pair<int, int> lines_between(double low, double high) {
 }
 
 /// Lines through the middles of the squares of a grid over the box.
-View view_along(const TriangleMesh& mesh, const Eigen::AlignedBox3d& box, int axis) {
+View view_along(const geometry::TriangleMesh& mesh, const Eigen::AlignedBox3d& box, int axis) {
   View view;
   const int u = (axis + 1) % 3, v = (axis + 2) % 3;
   for (const auto& t : mesh.triangles) {
@@ -118,7 +118,7 @@ struct SeenShare {
 
 }  // namespace
 
-HullMeasures measure_hull(const TriangleMesh& mesh) {
+HullMeasures measure_hull(const geometry::TriangleMesh& mesh) {
   HullMeasures m;
   Eigen::AlignedBox3d box;
   SeenShare top, bottom;
@@ -144,4 +144,4 @@ HullMeasures measure_hull(const TriangleMesh& mesh) {
   return m;
 }
 
-}  // namespace nilas
+}  // namespace nilas::hull

@@ -2,7 +2,7 @@
 /// Measures of a hull's shape that tell its sides, ends and faces from each other.
 #include "core/geometry/mesh.h"
 
-namespace nilas {
+namespace nilas::hull {
 
 /// Measures of a mesh in its own axes, taken as forward, port and up. All are ratios of lengths or areas, except the
 /// box.
@@ -20,6 +20,6 @@ struct HullMeasures {
 };
 
 /// The mesh must be closed and outward, with an extent along every axis.
-HullMeasures measure_hull(const TriangleMesh& mesh);
+HullMeasures measure_hull(const geometry::TriangleMesh& mesh);
 
-}  // namespace nilas
+}  // namespace nilas::hull

@@ -7,7 +7,7 @@
 
 #include "core/base/error.h"
 
-namespace nilas {
+namespace nilas::hull {
 
 namespace fs = std::filesystem;
 
@@ -66,4 +66,4 @@ std::vector<fs::path> part_files(const fs::path& folder) {
   return parts;
 }
 
-}  // namespace nilas
+}  // namespace nilas::hull

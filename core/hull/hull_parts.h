@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace nilas {
+namespace nilas::hull {
 
 /// part-0001.stl for the first, so that up to 9999 stand in their order wherever files are listed by name.
 std::string part_name(std::size_t number);
@@ -16,4 +16,4 @@ std::vector<std::filesystem::path> paths_in(const std::filesystem::path& folder)
 /// The parts by number. Throws FileError, or InputError for a part-*.stl without a number: it would look like a part.
 std::vector<std::filesystem::path> part_files(const std::filesystem::path& folder);
 
-}  // namespace nilas
+}  // namespace nilas::hull

@@ -9,7 +9,7 @@
 #include "core/base/error.h"
 #include "core/hull/hull_parts.h"
 
-namespace nilas {
+namespace nilas::hull {
 
 namespace fs = std::filesystem;
 
@@ -89,4 +89,4 @@ void NewHullFolder::publish() {
   if (fs::exists(staging_ / k_first, ignored)) move_into(staging_ / k_first, folder_);
 }
 
-}  // namespace nilas
+}  // namespace nilas::hull

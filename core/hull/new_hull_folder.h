@@ -2,7 +2,7 @@
 /// A hull folder in the making.
 #include <filesystem>
 
-namespace nilas {
+namespace nilas::hull {
 
 /// Takes a folder for a hull without harming what else is there. What is written into `staging()` takes the place of
 /// the earlier hull when published: whoever reads meanwhile, or after a kill, finds the old hull, none, or the new.
@@ -30,4 +30,4 @@ class NewHullFolder {
   bool made_ = false;
 };
 
-}  // namespace nilas
+}  // namespace nilas::hull

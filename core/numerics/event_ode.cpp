@@ -11,7 +11,7 @@
 
 #include "core/numerics/sundials_objects.h"
 
-namespace nilas {
+namespace nilas::numerics {
 
 namespace {
 
@@ -137,4 +137,4 @@ OdeStop OdeSolution::follow(double t1, VecX& y) {
   return {t1, {}};
 }
 
-}  // namespace nilas
+}  // namespace nilas::numerics

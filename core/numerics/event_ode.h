@@ -6,7 +6,7 @@
 
 #include "core/base/math.h"
 
-namespace nilas {
+namespace nilas::numerics {
 
 /// The equation y' = derivative(t, y) with event functions g: an event is a component that falls through zero.
 /// Functions may be evaluated beyond the event, so they must continue smoothly there.
@@ -46,4 +46,4 @@ class OdeSolution {
   std::unique_ptr<Implementation> implementation_;
 };
 
-}  // namespace nilas
+}  // namespace nilas::numerics

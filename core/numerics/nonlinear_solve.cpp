@@ -7,7 +7,7 @@
 
 #include "core/numerics/sundials_objects.h"
 
-namespace nilas {
+namespace nilas::numerics {
 
 namespace {
 
@@ -77,4 +77,4 @@ NonlinearSolution solve_nonlinear(const NonlinearEquations& equations, const Vec
   return solution;
 }
 
-}  // namespace nilas
+}  // namespace nilas::numerics

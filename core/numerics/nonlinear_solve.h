@@ -5,7 +5,7 @@
 
 #include "core/base/math.h"
 
-namespace nilas {
+namespace nilas::numerics {
 
 /// f(x) = 0 with as many equations as unknowns, both scaled so that 1 is a large change.
 using NonlinearEquations = std::function<void(const VecX& x, VecX& f)>;
@@ -30,4 +30,4 @@ struct NonlinearSolution {
 NonlinearSolution solve_nonlinear(const NonlinearEquations& equations, const VecX& start,
                                   const NonlinearSettings& settings = {});
 
-}  // namespace nilas
+}  // namespace nilas::numerics

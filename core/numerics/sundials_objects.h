@@ -11,7 +11,7 @@
 #include "core/base/error.h"
 #include "core/base/math.h"
 
-namespace nilas::sundials {
+namespace nilas::numerics::sundials {
 
 class Context {
  public:
@@ -46,4 +46,4 @@ inline Vector copy(const VecX& x, const Context& context) {
 /// The library prints to the console otherwise; its codes come back from every call.
 inline void keep_silent(int, const char*, const char*, char*, void*) {}
 
-}  // namespace nilas::sundials
+}  // namespace nilas::numerics::sundials

@@ -19,7 +19,7 @@
 #include "core/scene/elements/vessel_scene.h"
 #include "core/scene/elements/water_scene.h"
 
-namespace nilas {
+namespace nilas::scene {
 
 struct TimeScene {
   double step = 0.01;  ///< [s]
@@ -67,4 +67,4 @@ struct Scene {
 /// A warning placed at `path` ("vessel/carriage/@speed") or, where that is not given, at the nearest element above it.
 Fault warning_at(const Scene& scene, const std::string& path, const std::string& message);
 
-}  // namespace nilas
+}  // namespace nilas::scene

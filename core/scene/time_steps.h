@@ -2,9 +2,9 @@
 /// Number of steps of a run.
 #include "core/scene/scene.h"
 
-namespace nilas {
+namespace nilas::scene {
 
 /// Number of equal steps until one reaches the end of the run; the last may exceed it.
 long number_of_steps(const TimeScene& time);
 
-}  // namespace nilas
+}  // namespace nilas::scene

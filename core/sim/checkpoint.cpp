@@ -6,7 +6,7 @@
 #include "core/base/hash.h"
 #include "core/hdf5/hdf5_file.h"
 
-namespace nilas {
+namespace nilas::sim {
 
 namespace {
 
@@ -42,26 +42,26 @@ std::int64_t checksum(const State& state) {
 }
 
 /// Adds the groups above an entry, which must exist before it.
-void add_groups(const std::string& name, std::set<std::string>& known, Hdf5Writer& file) {
+void add_groups(const std::string& name, std::set<std::string>& known, hdf5::Hdf5Writer& file) {
   for (std::size_t end = name.find('/'); end != std::string::npos; end = name.find('/', end + 1))
     if (known.insert(name.substr(0, end)).second) file.add_group(name.substr(0, end));
 }
 
-StateEntry read_entry(const Hdf5Reader& file, const std::string& name) {
+StateEntry read_entry(const hdf5::Hdf5Reader& file, const std::string& name) {
   switch (file.kind(name)) {
-    case Hdf5Reader::Kind::numbers:
+    case hdf5::Hdf5Reader::Kind::numbers:
       return file.exact_numbers(name);
-    case Hdf5Reader::Kind::integers:
+    case hdf5::Hdf5Reader::Kind::integers:
       return file.wide_integers(name);
-    case Hdf5Reader::Kind::text:
+    case hdf5::Hdf5Reader::Kind::text:
       return file.text(name);
-    case Hdf5Reader::Kind::other:
+    case hdf5::Hdf5Reader::Kind::other:
       break;
   }
   file.refuse(name, "holds no numbers and no text");
 }
 
-void demand_origin(const Hdf5Reader& file, const std::string& path, const CheckpointOrigin& origin) {
+void demand_origin(const hdf5::Hdf5Reader& file, const std::string& path, const CheckpointOrigin& origin) {
   if (file.text("format") != k_format) throw InputError(path + ": is no checkpoint of Nilas");
   if (const int version = file.integer("version"); version != k_checkpoint_version)
     throw InputError(path + ": is a checkpoint of version " + std::to_string(version) +
@@ -79,7 +79,7 @@ void demand_origin(const Hdf5Reader& file, const std::string& path, const Checkp
 }  // namespace
 
 void write_checkpoint(const std::filesystem::path& path, const CheckpointOrigin& origin, const State& state) {
-  Hdf5Writer file;
+  hdf5::Hdf5Writer file;
   file.add("format", std::string(k_format));
   file.add("version", std::vector<int>{k_checkpoint_version});
   file.add("program", origin.program);
@@ -96,7 +96,7 @@ void write_checkpoint(const std::filesystem::path& path, const CheckpointOrigin&
 }
 
 State read_checkpoint(const std::filesystem::path& path, const CheckpointOrigin& origin) {
-  const Hdf5Reader file(path);
+  const hdf5::Hdf5Reader file(path);
   demand_origin(file, path.string(), origin);
   State state;
   state.source = path.string();
@@ -106,4 +106,4 @@ State read_checkpoint(const std::filesystem::path& path, const CheckpointOrigin&
   return state;
 }
 
-}  // namespace nilas
+}  // namespace nilas::sim

@@ -5,7 +5,7 @@
 
 #include "core/base/state.h"
 
-namespace nilas {
+namespace nilas::sim {
 
 /// Version of the layout; no other version can be read.
 constexpr int k_checkpoint_version = 12;
@@ -25,4 +25,4 @@ void write_checkpoint(const std::filesystem::path& path, const CheckpointOrigin&
 /// damaged or truncated, or belongs to another version, program, build or scene.
 State read_checkpoint(const std::filesystem::path& path, const CheckpointOrigin& origin);
 
-}  // namespace nilas
+}  // namespace nilas::sim

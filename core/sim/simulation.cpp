@@ -6,34 +6,34 @@
 #include "core/sim/step/take_step.h"
 #include "core/sim/world/course.h"
 
-namespace nilas {
+namespace nilas::sim {
 
-Simulation::Simulation(const Scene& scene, int threads, WarningCounts& warnings, const ModuleList& modules)
+Simulation::Simulation(const scene::Scene& scene, int threads, WarningCounts& warnings, const ModuleList& modules)
     : world_(std::make_unique<World>(scene, threads, warnings, build_world(scene, threads, warnings, modules))) {
   step_ = take_step;
   if (scene.contact.integrator != Integrator::reference) return;
   const auto reference = std::make_shared<ReferenceIntegrator>(scene, threads, world_->parts, world_->model);
   step_ = [reference](World& world) { return take_reference_step(world, *reference); };
 }
-Simulation::Simulation(const Scene& scene, int threads, WarningCounts& warnings)
+Simulation::Simulation(const scene::Scene& scene, int threads, WarningCounts& warnings)
     : Simulation(scene, threads, warnings, scene_modules()) {}
 Simulation::~Simulation() = default;
 
 StepRecord Simulation::step() { return step_(*world_); }
 
 std::string Simulation::end_of_course() const {
-  return nilas::end_of_course(world_->parts, world_->time(), world_->step);
+  return nilas::sim::end_of_course(world_->parts, world_->time(), world_->step);
 }
 double Simulation::time() const { return world_->time(); }
-const Bodies& Simulation::bodies() const { return world_->parts.bodies; }
+const bodies::Bodies& Simulation::bodies() const { return world_->parts.bodies; }
 const RunInfo& Simulation::info() const { return world_->parts.info; }
 const Ledger& Simulation::initial_ledger() const { return world_->energy.ledger(); }
-const SolvedProblem& Simulation::last_problem() const {
-  static const SolvedProblem none;
-  const SolvedProblem* last = nilas::last_problem(*world_);
+const contact::SolvedProblem& Simulation::last_problem() const {
+  static const contact::SolvedProblem none;
+  const contact::SolvedProblem* last = nilas::sim::last_problem(*world_);
   return last ? *last : none;
 }
-const std::vector<SolvedProblem>& Simulation::solved_substeps() const { return world_->solved; }
+const std::vector<contact::SolvedProblem>& Simulation::solved_substeps() const { return world_->solved; }
 int Simulation::vessel_index() const { return world_->parts.vessel_index; }
 long Simulation::steps() const { return world_->steps; }
 double Simulation::total(std::string_view name) const {
@@ -49,4 +49,4 @@ double Simulation::of_body(std::string_view name, std::int64_t id) const {
 void Simulation::save(StateWriter out) const { world_->save(out); }
 void Simulation::restore(const StateReader& in) { world_->restore(in); }
 
-}  // namespace nilas
+}  // namespace nilas::sim

@@ -14,7 +14,7 @@
 #include "core/sim/account/step_record.h"
 #include "core/sim/build/module_list.h"
 
-namespace nilas {
+namespace nilas::sim {
 
 struct World;
 
@@ -22,9 +22,9 @@ class Simulation {
  public:
   /// Builds only what the scene names. Throws InputError or FileError for content that cannot run (an open hull,
   /// overlapping floes, ...).
-  Simulation(const Scene& scene, int threads, WarningCounts& warnings);
+  Simulation(const scene::Scene& scene, int threads, WarningCounts& warnings);
   /// The same with another list of modules in place of scene_modules().
-  Simulation(const Scene& scene, int threads, WarningCounts& warnings, const ModuleList& modules);
+  Simulation(const scene::Scene& scene, int threads, WarningCounts& warnings, const ModuleList& modules);
   ~Simulation();
 
   /// Advances by the scene's step. Throws SimulationError as take_step() and take_reference_step() do.
@@ -35,15 +35,15 @@ class Simulation {
   std::string end_of_course() const;
 
   double time() const;
-  const Bodies& bodies() const;
+  const bodies::Bodies& bodies() const;
   const RunInfo& info() const;
   /// Energies at the start before the first step; afterwards those of the last step.
   const Ledger& initial_ledger() const;
   /// The contact problem of the last step; in a step with several substeps, that of the last one with contacts. Empty
   /// before the first step.
-  const SolvedProblem& last_problem() const;
+  const contact::SolvedProblem& last_problem() const;
   /// The problems of all substeps of the last step, in the order of time.
-  const std::vector<SolvedProblem>& solved_substeps() const;
+  const std::vector<contact::SolvedProblem>& solved_substeps() const;
   int vessel_index() const;  ///< index in bodies(), -1 without a vessel
   long steps() const;        ///< number of steps since the start
   /// A sum since the start over the modules that know this name; 0 where none does:
@@ -67,4 +67,4 @@ class Simulation {
   std::function<StepRecord(World&)> step_;  ///< time stepping, or the reference integrator
 };
 
-}  // namespace nilas
+}  // namespace nilas::sim

@@ -3,13 +3,13 @@
 #include "core/base/error.h"
 #include "core/vessel/tree/vessel_motion.h"
 
-namespace nilas {
+namespace nilas::vessel {
 
 VesselMotion::VesselMotion(const VesselModel& model, double t0)
     : mass_(model.mass), inertia_factor_(model.mass.inertia), time_(t0), moves_before_(model.theta.has_value()) {
   NILAS_DEMAND(!model.theta || (*model.theta >= 0 && *model.theta <= 1));
   if (!model.fixed && !(model.mass.mass > 0)) throw InputError("vessel: the mass must be > 0 kg");
-  if (!model.fixed && !physically_valid_inertia(model.mass.inertia))
+  if (!model.fixed && !geometry::physically_valid_inertia(model.mass.inertia))
     throw InputError(
         "vessel: the inertia about the centre of mass must be symmetric, its principal moments positive and none "
         "larger "
@@ -180,4 +180,4 @@ void VesselSystem::follow(double t, const VesselState& hull, std::vector<PartSta
 void VesselSystem::save(StateWriter out) const { implementation_->motion->save(out); }
 void VesselSystem::restore(const StateReader& in) { implementation_->motion->restore(in); }
 
-}  // namespace nilas
+}  // namespace nilas::vessel

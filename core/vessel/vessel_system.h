@@ -7,7 +7,7 @@
 #include "core/base/state.h"
 #include "core/vessel/model/vessel_model.h"
 
-namespace nilas {
+namespace nilas::vessel {
 
 /// One step is: move_before_impulses() (theta only), begin(), solve contacts, finish(). At a step's end the momenta
 /// obey, to rounding,
@@ -83,4 +83,4 @@ class VesselSystem {
   std::unique_ptr<Implementation> implementation_;
 };
 
-}  // namespace nilas
+}  // namespace nilas::vessel

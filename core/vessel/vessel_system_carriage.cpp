@@ -7,7 +7,7 @@
 #include "core/vessel/model/cells.h"
 #include "core/vessel/tree/carried_vessel.h"
 
-namespace nilas {
+namespace nilas::vessel {
 
 std::vector<int> free_axes(const CarriageModel& carriage) {
   constexpr int k_heave = 5;
@@ -253,4 +253,4 @@ std::unique_ptr<VesselMotion> make_carried_vessel(const VesselModel& model, doub
   return std::make_unique<EulerCarriedVessel>(model, t0);
 }
 
-}  // namespace nilas
+}  // namespace nilas::vessel

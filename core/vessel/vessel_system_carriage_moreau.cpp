@@ -3,7 +3,7 @@
 #include "core/base/error.h"
 #include "core/vessel/tree/carried_vessel.h"
 
-namespace nilas {
+namespace nilas::vessel {
 
 namespace {
 
@@ -133,4 +133,4 @@ std::unique_ptr<VesselMotion> make_moreau_carried_vessel(const VesselModel& mode
   return std::make_unique<MoreauCarriedVessel>(model, t0);
 }
 
-}  // namespace nilas
+}  // namespace nilas::vessel

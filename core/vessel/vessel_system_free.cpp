@@ -5,7 +5,7 @@
 #include "core/vessel/tree/vessel_motion.h"
 #include "core/vessel/tree/vessel_tree.h"
 
-namespace nilas {
+namespace nilas::vessel {
 
 namespace {
 
@@ -131,7 +131,7 @@ class MoreauFreeVessel : public FreeVessel {
   void displace(const Vec6& pseudo_twist, double h) override {
     const Vec3 angular_momentum = inertia_G() * state_.w;
     state_.pose.p += h * pseudo_twist.head<3>();
-    state_.pose.q = (exponential(h * pseudo_twist.tail<3>()) * state_.pose.q).normalized();
+    state_.pose.q = (bodies::exponential(h * pseudo_twist.tail<3>()) * state_.pose.q).normalized();
     if (gyroscopic_) state_.w = turning(angular_momentum);
   }
 
@@ -153,9 +153,9 @@ class MoreauFreeVessel : public FreeVessel {
   void move(double h) {
     state_.pose.p += h * state_.v;
     if (gyroscopic_)
-      turn_freely(state_.pose.q, state_.w, mass_.inertia, inertia_inverse_, h);
+      bodies::turn_freely(state_.pose.q, state_.w, mass_.inertia, inertia_inverse_, h);
     else
-      state_.pose.q = (exponential(h * state_.w) * state_.pose.q).normalized();
+      state_.pose.q = (bodies::exponential(h * state_.w) * state_.pose.q).normalized();
   }
 
   double theta_;
@@ -170,4 +170,4 @@ std::unique_ptr<VesselMotion> make_free_vessel(const VesselModel& model, double 
   return std::make_unique<EulerFreeVessel>(model, t0);
 }
 
-}  // namespace nilas
+}  // namespace nilas::vessel

@@ -9,7 +9,7 @@
 #include "core/vessel/tree/carriage_changes.h"
 #include "core/vessel/tree/carried_vessel.h"
 
-namespace nilas {
+namespace nilas::vessel {
 
 namespace {
 
@@ -55,15 +55,15 @@ VecX CarriedVessel::equilibrium(const RestModel& rest) {
     q(settling) += VecX(move.cwiseProduct(x));
     return q;
   };
-  const NonlinearEquations balance = [&](const VecX& x, VecX& f) {
+  const numerics::NonlinearEquations balance = [&](const VecX& x, VecX& f) {
     f = static_force(rest, at(x))(settling).cwiseQuotient(force);
   };
-  NonlinearSolution found = solve_nonlinear(balance, VecX::Zero(n));
+  numerics::NonlinearSolution found = numerics::solve_nonlinear(balance, VecX::Zero(n));
   if (!found.converged && rest.heave != 0) {  // above the water, the forces do not show the direction
     VecX start = VecX::Zero(n);
     for (Eigen::Index k = 0; k < n; ++k)
       if (axes_[settling[k]] == k_heave) start[k] = rest.heave / move[k];
-    found = solve_nonlinear(balance, start);
+    found = numerics::solve_nonlinear(balance, start);
   }
   if (!found.converged)
     throw InputError(fmt::format("the vessel finds no rest on its carriage: {:.1e} of its weight stays unbalanced ({})",
@@ -100,4 +100,4 @@ VesselRest CarriedVessel::settle(const RestModel& rest, bool start_there) {
   return {carried, {}};
 }
 
-}  // namespace nilas
+}  // namespace nilas::vessel

@@ -7,7 +7,7 @@
 #include "core/base/error.h"
 #include "fracture/cut/crack_lines.h"
 
-namespace nilas {
+namespace nilas::fracture {
 
 namespace {
 
@@ -104,4 +104,4 @@ std::vector<EdgeContact> edge_contacts(const std::vector<Vec2>& outline, const s
   return contacts;
 }
 
-}  // namespace nilas
+}  // namespace nilas::fracture

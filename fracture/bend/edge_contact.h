@@ -4,7 +4,7 @@
 
 #include "core/base/math.h"
 
-namespace nilas {
+namespace nilas::fracture {
 
 /// Force of one contact point on a floe, in its frame B.
 struct PointLoad {
@@ -38,4 +38,4 @@ struct EdgeContact {
 std::vector<EdgeContact> edge_contacts(const std::vector<Vec2>& outline, const std::vector<PointLoad>& loads,
                                        double link);
 
-}  // namespace nilas
+}  // namespace nilas::fracture

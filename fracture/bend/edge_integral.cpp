@@ -7,7 +7,7 @@
 #include "core/base/error.h"
 #include "core/base/math.h"
 
-namespace nilas {
+namespace nilas::fracture {
 
 namespace {
 
@@ -81,4 +81,4 @@ double EdgeIntegral::deflection() const {
   return (sum + 1 / ((1 - nu_) * (3 + nu_) * end * end)) / k_pi;
 }
 
-}  // namespace nilas
+}  // namespace nilas::fracture

@@ -2,7 +2,7 @@
 /// Fourier solution of a semi-infinite floating plate that is loaded on its free edge, by quadrature.
 #include <vector>
 
-namespace nilas {
+namespace nilas::fracture {
 
 /// The integral over the wavenumber a along the edge. Lengths are in l, loads in P, deflections in P / (k l^2). With x
 /// into the sheet and y along the edge, w = Re(A exp(-m x)) cos(a y), m^2 = a^2 + i. The edge bears no moment,
@@ -34,4 +34,4 @@ class EdgeIntegral {
   std::vector<Node> rest_;  ///< The integrand without its slowly decaying part.
 };
 
-}  // namespace nilas
+}  // namespace nilas::fracture

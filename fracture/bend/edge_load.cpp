@@ -7,7 +7,7 @@
 #include "core/base/error.h"
 #include "fracture/bend/edge_integral.h"
 
-namespace nilas {
+namespace nilas::fracture {
 
 namespace {
 
@@ -68,4 +68,4 @@ double radial_crack_load(const EdgeLoad& edge, double b, double l, double thickn
   return flexural_strength * thickness * thickness / edge.stress_factor(b / l);
 }
 
-}  // namespace nilas
+}  // namespace nilas::fracture

@@ -2,7 +2,7 @@
 /// Bending of an ice sheet at its free edge under a line load, which starts radial cracks.
 #include "fracture/split/tabulate.h"
 
-namespace nilas {
+namespace nilas::fracture {
 
 /// A semi-infinite elastic plate on water with a free edge, on which a load P is spread evenly over the length 2 b. The
 /// theory is that of thin plates, so that b must not be much below h. The constructor tabulates the Fourier solution of
@@ -32,4 +32,4 @@ class EdgeLoad {
 /// characteristic length. All lengths are in [m]. Throws ContractError unless all arguments are positive.
 double radial_crack_load(const EdgeLoad& edge, double b, double l, double thickness, double flexural_strength);
 
-}  // namespace nilas
+}  // namespace nilas::fracture

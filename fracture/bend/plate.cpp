@@ -4,7 +4,7 @@
 
 #include "core/base/error.h"
 
-namespace nilas {
+namespace nilas::fracture {
 
 static void check(const IcePlate& plate) {
   NILAS_DEMAND(plate.thickness > 0 && plate.youngs_modulus > 0);
@@ -31,4 +31,4 @@ double beam_characteristic_length(const IcePlate& plate) {
   return std::pow(beam_rigidity(plate) / foundation_modulus(plate), 0.25);
 }
 
-}  // namespace nilas
+}  // namespace nilas::fracture

@@ -2,7 +2,7 @@
 /// Stiffness of a floating ice sheet as an elastic plate (or beam) on water, a Winkler foundation of modulus k.
 #include "core/choices/defaults.h"
 
-namespace nilas {
+namespace nilas::fracture {
 
 /// Elastic ice sheet on water.
 struct IcePlate {
@@ -22,4 +22,4 @@ double characteristic_length(const IcePlate& plate);
 /// (1 - nu^2).
 double beam_characteristic_length(const IcePlate& plate);
 
-}  // namespace nilas
+}  // namespace nilas::fracture

@@ -5,7 +5,7 @@
 #include "core/base/error.h"
 #include "core/base/math.h"
 
-namespace nilas {
+namespace nilas::fracture {
 
 namespace {
 
@@ -72,4 +72,4 @@ double zuev_resistance(double beam, const LevelIce& ice, double concentration, d
          concentration;
 }
 
-}  // namespace nilas
+}  // namespace nilas::fracture

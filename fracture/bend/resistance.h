@@ -2,7 +2,7 @@
 /// Ice resistance of ships by published formulas, for comparison with simulations.
 #include "core/choices/defaults.h"
 
-namespace nilas {
+namespace nilas::fracture {
 
 /// The properties of level ice that these formulas need.
 struct LevelIce {
@@ -47,4 +47,4 @@ LindqvistResistance lindqvist_resistance(const IcebreakingHull& hull, const Leve
 /// Throws ContractError for impossible values.
 double zuev_resistance(double beam, const LevelIce& ice, double concentration, double speed);
 
-}  // namespace nilas
+}  // namespace nilas::fracture

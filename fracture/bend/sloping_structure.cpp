@@ -8,7 +8,7 @@
 #include "core/base/math.h"
 #include "fracture/bend/plate.h"
 
-namespace nilas {
+namespace nilas::fracture {
 
 namespace {
 
@@ -95,4 +95,4 @@ RalstonLoad ralston_load(const SlopingStructure& cone, double top_diameter, doub
   return {breaking, ride_up};
 }
 
-}  // namespace nilas
+}  // namespace nilas::fracture

@@ -2,7 +2,7 @@
 /// Loads of level ice on sloping structures by published formulas, for comparison with simulations.
 #include "fracture/bend/resistance.h"
 
-namespace nilas {
+namespace nilas::fracture {
 
 /// A sloping structure that may carry a pile of rubble. `ice.friction` is that of ice on the structure. Angles [rad].
 struct SlopingStructure {
@@ -53,4 +53,4 @@ struct RalstonLoad {
 RalstonLoad ralston_load(const SlopingStructure& cone, double top_diameter, double ride_up_thickness,
                          const LevelIce& ice);
 
-}  // namespace nilas
+}  // namespace nilas::fracture

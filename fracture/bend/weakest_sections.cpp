@@ -5,7 +5,7 @@
 
 #include "core/base/error.h"
 
-namespace nilas {
+namespace nilas::fracture {
 
 namespace {
 
@@ -16,7 +16,7 @@ constexpr int k_samples = 59;  ///< Steps of 0.05.
 double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 /// The distances from `from` along the unit vector `d` at which the ray's line crosses the weak line [m].
-std::vector<double> crossings(const WeakLine& line, const Vec2& from, const Vec2& d) {
+std::vector<double> crossings(const bodies::WeakLine& line, const Vec2& from, const Vec2& d) {
   std::vector<double> found;
   for (std::size_t i = 0; i + 1 < line.points.size(); ++i) {
     const Vec2 to_start = line.points[i] - from, span = line.points[i + 1] - line.points[i];
@@ -40,7 +40,7 @@ class Ray {
   /// The places where weak lines cross, over the fan's radius, with the share of the strength that each line leaves.
   std::vector<std::pair<double, double>> lines() const {
     std::vector<std::pair<double, double>> found;
-    for (const WeakLine& line : ice_.weak_lines)
+    for (const bodies::WeakLine& line : ice_.weak_lines)
       for (const double distance : crossings(line, fan_.apex, direction_))
         if (distance >= k_first * fan_.radius && distance <= k_last * fan_.radius)
           found.emplace_back(distance / fan_.radius, line.strength);
@@ -90,4 +90,4 @@ WeakestSections weakest_sections(const WedgeFan& fan, double a_over_l, double fl
   return sections;
 }
 
-}  // namespace nilas
+}  // namespace nilas::fracture

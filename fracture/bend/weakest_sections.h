@@ -6,7 +6,7 @@
 #include "fracture/cut/crack_lines.h"
 #include "fracture/cut/local_ice.h"
 
-namespace nilas {
+namespace nilas::fracture {
 
 struct WeakestSections {
   double strength = 1;        ///< Load of all wedges, over that of wedges as strong as the ice at the load.
@@ -20,4 +20,4 @@ struct WeakestSections {
 /// and where wedge_curvatures does.
 WeakestSections weakest_sections(const WedgeFan& fan, double a_over_l, double flexural_strength, const LocalIce& ice);
 
-}  // namespace nilas
+}  // namespace nilas::fracture

@@ -6,7 +6,7 @@
 #include "core/base/error.h"
 #include "core/base/math.h"
 
-namespace nilas {
+namespace nilas::fracture {
 
 namespace {
 
@@ -56,4 +56,4 @@ double bending_radius(const WedgeTable& table, double a_over_l, double l, double
   return table.breaking_length(a_over_l) * l * std::max(1 + rule.slope * speed, rule.least);
 }
 
-}  // namespace nilas
+}  // namespace nilas::fracture

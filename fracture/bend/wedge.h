@@ -3,7 +3,7 @@
 #include "fracture/bend/wedge_series.h"
 #include "fracture/split/tabulate.h"
 
-namespace nilas {
+namespace nilas::fracture {
 
 /// A narrow wedge on water, as in Nevel (1958): an endless beam of the width b0 x, with b0 = 2 tan(alpha / 2) for the
 /// opening angle alpha. Its tip is free. A total force P acts over 0 < x < a:
@@ -49,4 +49,4 @@ struct SpeedRule {
 /// after the speed rule for `speed` >= 0 [m/s].
 double bending_radius(const WedgeTable& table, double a_over_l, double l, double speed = 0, const SpeedRule& rule = {});
 
-}  // namespace nilas
+}  // namespace nilas::fracture

@@ -7,7 +7,7 @@
 
 #include "core/base/error.h"
 
-namespace nilas {
+namespace nilas::fracture {
 
 namespace {
 
@@ -144,4 +144,4 @@ std::vector<double> wedge_curvatures(TipLoad load, double a, const std::vector<d
   return shares;
 }
 
-}  // namespace nilas
+}  // namespace nilas::fracture

@@ -2,7 +2,7 @@
 /// The narrow infinite wedge on an elastic foundation (Nevel 1958), solved by its power series.
 #include <vector>
 
-namespace nilas {
+namespace nilas::fracture {
 
 /// The distribution of the load on 0 < x < a of the wedge. `pressure` is an even pressure on the area, whose force per
 /// length grows with x. `line` is an even force per length.
@@ -30,4 +30,4 @@ WedgeResponse solve_wedge(TipLoad load, double a);
 /// 0 < a <= k_longest_tip_load.
 std::vector<double> wedge_curvatures(TipLoad load, double a, const std::vector<double>& at);
 
-}  // namespace nilas
+}  // namespace nilas::fracture

@@ -6,7 +6,7 @@
 
 #include "core/base/error.h"
 
-namespace nilas {
+namespace nilas::fracture {
 
 namespace {
 
@@ -65,7 +65,7 @@ bool lies_in(const Loop& loop, const Vec3& normal, const Vec3& n, double offset,
 }
 
 /// Cuts the loop, given in the solid's frame with its normal, down to its part inside the solid.
-void clip_by(const ConvexPolytope& solid, const Vec3& normal, double rounding, Loop& loop, Loop& room) {
+void clip_by(const geometry::ConvexPolytope& solid, const Vec3& normal, double rounding, Loop& loop, Loop& room) {
   for (std::size_t f = 0; f < solid.normals.size() && loop.size() >= 3; ++f) {
     if (lies_in(loop, normal, solid.normals[f], solid.offsets[f], rounding)) loop.clear();
     clip(solid.normals[f], solid.offsets[f], loop, room);
@@ -89,13 +89,14 @@ HullFace make_hull_face(int part, std::vector<Vec3> loop) {
 }
 
 /// Whether a ball lies outside one of the solid's planes.
-static bool misses(const ConvexPolytope& solid, const Vec3& centre, double radius) {
+static bool misses(const geometry::ConvexPolytope& solid, const Vec3& centre, double radius) {
   for (std::size_t f = 0; f < solid.normals.size(); ++f)
     if (solid.normals[f].dot(centre) - solid.offsets[f] > radius) return true;
   return false;
 }
 
-std::optional<FaceInIce> face_in_ice(const HullFace& face, const Placement& hull_in_floe, const ConvexPolytope& piece) {
+std::optional<FaceInIce> face_in_ice(const HullFace& face, const Placement& hull_in_floe,
+                                     const geometry::ConvexPolytope& piece) {
   const Vec3 centre = hull_in_floe.point(face.centre);
   const double reach = face.radius + piece.radius;
   const Vec3 apart = centre - piece.centre;
@@ -112,7 +113,7 @@ std::optional<FaceInIce> face_in_ice(const HullFace& face, const Placement& hull
 }
 
 std::vector<FaceInIce> faces_in_ice(const std::vector<HullFace>& hull, const Placement& hull_in_floe,
-                                    const std::vector<ConvexPolytope>& floe) {
+                                    const std::vector<geometry::ConvexPolytope>& floe) {
   std::vector<FaceInIce> found;
   for (std::size_t f = 0; f < hull.size(); ++f)
     for (std::size_t k = 0; k < floe.size(); ++k) {
@@ -149,4 +150,4 @@ PressurePoints pressure_points(const FaceInIce& face, double least) {
   return out;
 }
 
-}  // namespace nilas
+}  // namespace nilas::fracture

@@ -7,7 +7,7 @@
 #include "core/base/math.h"
 #include "core/geometry/shape.h"
 
-namespace nilas {
+namespace nilas::fracture {
 
 /// The placement of one frame in another: x_to = R x_from + p.
 struct Placement {
@@ -39,14 +39,15 @@ struct FaceInIce {
 };
 
 /// One face clipped by one piece, or nothing where no area is left. `face` and `piece` of the result are 0.
-std::optional<FaceInIce> face_in_ice(const HullFace& face, const Placement& hull_in_floe, const ConvexPolytope& piece);
+std::optional<FaceInIce> face_in_ice(const HullFace& face, const Placement& hull_in_floe,
+                                     const geometry::ConvexPolytope& piece);
 
 /// The hull's faces clipped by the pieces, in the order of the faces, then of the pieces. The area is exact but for
 /// rounding. A face that is inclined by beta to the horizontal, over a width w through a thickness h, has the area
 /// w h / sin(beta). A face that lies in a piece's surface counts where the ice is in front of it, not where it is
 /// behind.
 std::vector<FaceInIce> faces_in_ice(const std::vector<HullFace>& hull, const Placement& hull_in_floe,
-                                    const std::vector<ConvexPolytope>& floe);
+                                    const std::vector<geometry::ConvexPolytope>& floe);
 
 /// The sum of the areas [m^2].
 double total_area(const std::vector<FaceInIce>& faces);
@@ -62,4 +63,4 @@ struct PressurePoints {
 /// The points depend on the area alone, not on the first corner of its outline.
 PressurePoints pressure_points(const FaceInIce& face, double least);
 
-}  // namespace nilas
+}  // namespace nilas::fracture

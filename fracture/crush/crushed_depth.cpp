@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace nilas {
+namespace nilas::fracture {
 
 double CrushedPlane::gap(const Vec3& x) const { return std::max(0.0, offset - normal.dot(x)); }
 
@@ -71,4 +71,4 @@ void CrushedDepth::restore(const StateReader& in) {
   }
 }
 
-}  // namespace nilas
+}  // namespace nilas::fracture

@@ -7,7 +7,7 @@
 #include "core/base/math.h"
 #include "core/base/state.h"
 
-namespace nilas {
+namespace nilas::fracture {
 
 /// A face of a hull and a convex piece of a floe, named by the ids of the bodies.
 struct CrushedFace {
@@ -48,4 +48,4 @@ class CrushedDepth {
   std::map<CrushedFace, CrushedPlane> known_, named_;
 };
 
-}  // namespace nilas
+}  // namespace nilas::fracture

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace nilas {
+namespace nilas::fracture {
 
 double CrushingLaw::pressure(double strength, double area) const {
   if (!(area > 0)) return 0;
@@ -10,4 +10,4 @@ double CrushingLaw::pressure(double strength, double area) const {
   return coefficient * (strength / reference_strength) * std::pow(area, exponent);
 }
 
-}  // namespace nilas
+}  // namespace nilas::fracture

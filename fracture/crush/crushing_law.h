@@ -2,7 +2,7 @@
 /// The law of the pressure of crushing ice. docs/theory/fracture-crushing.md
 #include "core/choices/fracture_choices.h"
 
-namespace nilas {
+namespace nilas::fracture {
 
 struct CrushingLaw {
   CrushingModel model = CrushingModel::explicit_area;
@@ -18,4 +18,4 @@ struct CrushingLaw {
   double pressure(double strength, double area) const;
 };
 
-}  // namespace nilas
+}  // namespace nilas::fracture

@@ -5,7 +5,7 @@
 
 #include "core/base/error.h"
 
-namespace nilas {
+namespace nilas::fracture {
 
 static void check(const PressureArea& law) {
   NILAS_DEMAND(law.coefficient > 0);
@@ -45,4 +45,4 @@ CrushingStop stop_by_crushing(const CrushingImpact& impact) {
   return {depth, crushing_force(law, impact.area_growth * depth * depth)};
 }
 
-}  // namespace nilas
+}  // namespace nilas::fracture

@@ -1,7 +1,7 @@
 #pragma once
 /// Pressure of crushing ice on an area, and impacts that it stops.
 
-namespace nilas {
+namespace nilas::fracture {
 
 /// The pressure p = C (A / 1 m^2)^e [Pa] on a contact area A [m^2]. With e in (-1, 0] the force C A^(1 + e) grows from
 /// 0. Crushing at a constant strength has e = 0.
@@ -46,4 +46,4 @@ struct CrushingStop {
 /// Throws ContractError unless mass, g and P0 are positive, speed >= 0 and -1 < ex <= 0.
 CrushingStop stop_by_crushing(const CrushingImpact& impact);
 
-}  // namespace nilas
+}  // namespace nilas::fracture

@@ -6,7 +6,7 @@
 #include "core/geometry/mass_properties.h"
 #include "core/geometry/polygon.h"
 
-namespace nilas {
+namespace nilas::fracture {
 
 namespace {
 
@@ -40,7 +40,7 @@ std::vector<Vec2> common_part(std::vector<Vec2> outline, const std::vector<Vec2>
 
 double common_area(const std::vector<std::vector<Vec2>>& polygons, const std::vector<Vec2>& outline) {
   double area = 0;
-  for (const auto& polygon : polygons) area += polygon_moments(common_part(outline, polygon)).area;
+  for (const auto& polygon : polygons) area += geometry::polygon_moments(common_part(outline, polygon)).area;
   return area;
 }
 
@@ -50,9 +50,9 @@ double common_area(const std::vector<std::vector<Vec2>>& polygons, const std::ve
 ColumnArea column_area(const std::vector<std::vector<Vec2>>& columns, const std::vector<Vec2>& outline) {
   ColumnArea sum;
   const auto add = [&](const std::vector<Vec2>& column, double sign) {
-    const PolygonMoments within = polygon_moments(common_part(outline, column));
+    const geometry::PolygonMoments within = geometry::polygon_moments(common_part(outline, column));
     sum.area += sign * within.area;
-    sum.outside += sign * (polygon_moments(column).area - within.area);
+    sum.outside += sign * (geometry::polygon_moments(column).area - within.area);
     sum.centroid += sign * within.area * within.centroid;
   };
   for (std::size_t k = 0; k < columns.size(); ++k) {
@@ -70,7 +70,7 @@ std::vector<std::vector<std::vector<Vec2>>> connected(const std::vector<std::vec
     std::vector<std::vector<Vec2>> joined{column};
     for (auto& group : groups) {
       if (std::none_of(group.begin(), group.end(),
-                       [&](const auto& other) { return convex_overlap(column, other) > 0; }))
+                       [&](const auto& other) { return geometry::convex_overlap(column, other) > 0; }))
         continue;
       joined.insert(joined.end(), group.begin(), group.end());
       group.clear();
@@ -119,7 +119,7 @@ bool trim_corners(std::vector<Vec2>& outline, std::vector<bool>& is_new, double 
     i = (i + kept.size() - 1) % kept.size();  // the corner before it has a new edge, so that it is judged again
     unseen = kept.size();
   }
-  if (kept.size() == outline.size() || !is_simple(kept)) return false;
+  if (kept.size() == outline.size() || !geometry::is_simple(kept)) return false;
   outline = std::move(kept);
   is_new = std::move(fresh);
   return true;
@@ -127,11 +127,11 @@ bool trim_corners(std::vector<Vec2>& outline, std::vector<bool>& is_new, double 
 
 bool is_squeezed_out(const CrushedIce& ice, const std::vector<Vec2>& piece) {
   constexpr double k_most = 0.5, k_all = 1 - 1e-6;  // thresholds for a piece that is in or out as a whole
-  const double area = polygon_moments(piece).area;
+  const double area = geometry::polygon_moments(piece).area;
   return common_area(ice.columns, piece) > k_most * area || common_area(ice.sections, piece) > k_all * area;
 }
 
-std::vector<Vec2> columns_inside(const ConvexPolytope& part, const std::vector<char>& is_outer,
+std::vector<Vec2> columns_inside(const geometry::ConvexPolytope& part, const std::vector<char>& is_outer,
                                  const Placement& hull_in_floe, double thickness, double strip, const Vec2& low,
                                  const Vec2& high) {
   std::vector<Vec2> polygon{low, {high.x(), low.y()}, high, {low.x(), high.y()}};
@@ -150,10 +150,10 @@ std::vector<Vec2> columns_inside(const ConvexPolytope& part, const std::vector<c
   return polygon.size() >= 3 ? polygon : std::vector<Vec2>();
 }
 
-std::vector<std::vector<char>> outer_faces(const std::vector<ConvexPolytope>& parts,
+std::vector<std::vector<char>> outer_faces(const std::vector<geometry::ConvexPolytope>& parts,
                                            const std::vector<HullFace>& faces) {
   std::vector<std::vector<char>> outer;
-  for (const ConvexPolytope& part : parts) outer.emplace_back(part.normals.size(), 0);
+  for (const geometry::ConvexPolytope& part : parts) outer.emplace_back(part.normals.size(), 0);
   for (const HullFace& face : faces) {
     const auto k = static_cast<std::size_t>(face.part);
     for (std::size_t f = 0; f < parts[k].normals.size(); ++f)
@@ -163,4 +163,4 @@ std::vector<std::vector<char>> outer_faces(const std::vector<ConvexPolytope>& pa
   return outer;
 }
 
-}  // namespace nilas
+}  // namespace nilas::fracture

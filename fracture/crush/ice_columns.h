@@ -4,7 +4,7 @@
 
 #include "fracture/crush/contact_area.h"
 
-namespace nilas {
+namespace nilas::fracture {
 
 /// The convex counter-clockwise polygon, in the floe's frame, of the points whose column from -thickness/2 to
 /// thickness/2 is inside a convex part of a hull. It keeps at least `strip` [m] in the plane from the faces that are
@@ -12,7 +12,7 @@ namespace nilas {
 /// Across the other faces, where another part of the hull follows, the polygon reaches to `strip` beyond the columns
 /// that the face cuts. The polygons of both parts then overlap. The polygon is clipped to the box from `low` to `high`,
 /// and may be empty.
-std::vector<Vec2> columns_inside(const ConvexPolytope& part, const std::vector<char>& is_outer,
+std::vector<Vec2> columns_inside(const geometry::ConvexPolytope& part, const std::vector<char>& is_outer,
                                  const Placement& hull_in_floe, double thickness, double strip, const Vec2& low,
                                  const Vec2& high);
 
@@ -41,7 +41,7 @@ bool trim_corners(std::vector<Vec2>& outline, std::vector<bool>& is_new, double 
 bool is_squeezed_out(const CrushedIce& ice, const std::vector<Vec2>& piece);
 
 /// A flag per face of each part: whether the face, or a piece of it, is among `faces`, the hull's surface.
-std::vector<std::vector<char>> outer_faces(const std::vector<ConvexPolytope>& parts,
+std::vector<std::vector<char>> outer_faces(const std::vector<geometry::ConvexPolytope>& parts,
                                            const std::vector<HullFace>& faces);
 
-}  // namespace nilas
+}  // namespace nilas::fracture

@@ -15,7 +15,7 @@
 
 #include "core/geometry/mass_properties.h"
 
-namespace nilas {
+namespace nilas::fracture {
 
 namespace {
 
@@ -173,7 +173,7 @@ class FaceFinder {
       outline.push_back(lines_.points[index(h->source()->data())]);
       perimeter += vector_along(h).norm();
     }
-    return 2 * polygon_moments(outline).area < least_width * perimeter;
+    return 2 * geometry::polygon_moments(outline).area < least_width * perimeter;
   }
 
   /// The neighbour that shares most crack length, the first along the boundary of equal ones.
@@ -211,4 +211,4 @@ CrackFaces crack_faces(const SnappedLines& lines, double least_width) {
   return found;
 }
 
-}  // namespace nilas
+}  // namespace nilas::fracture

@@ -4,7 +4,7 @@
 
 #include "fracture/cut/snap_lines.h"
 
-namespace nilas {
+namespace nilas::fracture {
 
 /// The boundary of one face inside the outline, counter-clockwise.
 struct CrackFace {
@@ -25,4 +25,4 @@ struct CrackFaces {
 /// counter-clockwise outline. Throws CGAL::Failure_exception where CGAL fails.
 CrackFaces crack_faces(const SnappedLines& lines, double least_width);
 
-}  // namespace nilas
+}  // namespace nilas::fracture

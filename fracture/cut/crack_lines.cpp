@@ -10,7 +10,7 @@
 #include "fracture/cut/smallest_box.h"
 #include "fracture/cut/snap_lines.h"
 
-namespace nilas {
+namespace nilas::fracture {
 
 namespace {
 
@@ -25,7 +25,7 @@ std::vector<double> crossings(const std::vector<Vec2>& outline, const Vec2& poin
   for (const Vec2& p : outline) reach = std::max(reach, (p - point).norm());
   const Vec2 beyond = point + reach * along;
   const Vec2 line = (beyond - point).normalized();
-  const auto left = [&](const Vec2& p) { return orientation(point, beyond, p) >= 0; };
+  const auto left = [&](const Vec2& p) { return geometry::orientation(point, beyond, p) >= 0; };
   const auto height = [&](const Vec2& p) { return std::abs(line.x() * (p - point).y() - line.y() * (p - point).x()); };
   std::vector<double> found;
   for (std::size_t i = 0; i < outline.size(); ++i) {
@@ -41,7 +41,7 @@ std::vector<double> crossings(const std::vector<Vec2>& outline, const Vec2& poin
 
 SplitVerdict judge_pieces(const std::vector<CutPiece>& pieces, const SplitRule& rule) {
   for (const CutPiece& piece : pieces)
-    if (polygon_moments(piece.outline).area < rule.min_area) return SplitVerdict::too_small;
+    if (geometry::polygon_moments(piece.outline).area < rule.min_area) return SplitVerdict::too_small;
   for (const CutPiece& piece : pieces)
     if (smallest_box(piece.outline).aspect() > rule.max_aspect) return SplitVerdict::too_narrow;
   return SplitVerdict::splits;
@@ -168,4 +168,4 @@ std::vector<std::vector<Vec2>> wedge_cracks(const WedgeFan& fan, const std::vect
   return cracks;
 }
 
-}  // namespace nilas
+}  // namespace nilas::fracture

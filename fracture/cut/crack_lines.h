@@ -7,7 +7,7 @@
 #include "core/base/math.h"
 #include "fracture/cut/cut_outline.h"
 
-namespace nilas {
+namespace nilas::fracture {
 
 /// A straight crack from edge to edge of an outline.
 struct Chord {
@@ -97,4 +97,4 @@ std::vector<std::vector<Vec2>> wedge_cracks(const WedgeFan& fan, const std::vect
 /// The direction of ray k of these rays, from x [rad].
 double ray_angle(const WedgeFan& fan, int k);
 
-}  // namespace nilas
+}  // namespace nilas::fracture

@@ -7,7 +7,7 @@
 #include "core/base/error.h"
 #include "core/geometry/polygon.h"
 
-namespace nilas {
+namespace nilas::fracture {
 
 namespace {
 
@@ -48,7 +48,7 @@ class Growth {
       path.points.emplace_back(at + on * way.direction);
       path.toughness.push_back(way.toughness);
       // Rounding may have made the crack miss an edge.
-      if (ends || !contains(outline_, path.points.back())) break;
+      if (ends || !geometry::contains(outline_, path.points.back())) break;
     }
     return path;
   }
@@ -80,7 +80,7 @@ class Growth {
     std::vector<Way> all;
     for (int k = 1; k <= k_turns; ++k)
       for (const double omega : {k * k_turn, -k * k_turn}) all.push_back(through_ice(at, omega));
-    for (const WeakLine& line : ice_.weak_lines)
+    for (const bodies::WeakLine& line : ice_.weak_lines)
       for (std::size_t i = 0; i + 1 < line.points.size(); ++i) {
         const Vec2 &a = line.points[i], &b = line.points[i + 1];
         if (distance(at, a, b) > same()) continue;
@@ -88,7 +88,7 @@ class Growth {
         add_along(at, b, line.strength, all);
       }
     const auto leaves_at_once = [&](const Way& way) {
-      return !contains(outline_, at + k_look * segment_ * way.direction);
+      return !geometry::contains(outline_, at + k_look * segment_ * way.direction);
     };
     std::erase_if(all, leaves_at_once);
     return all;
@@ -137,13 +137,13 @@ class Growth {
       edges.push_back(meets(at, d, outline_[i], outline_[(i + 1) % outline_.size()]));
     std::sort(edges.begin(), edges.end());
     for (const double on : edges)
-      if (std::isfinite(on) && !contains(outline_, at + (on + k_beyond * segment_) * d)) return on;
+      if (std::isfinite(on) && !geometry::contains(outline_, at + (on + k_beyond * segment_) * d)) return on;
     return std::numeric_limits<double>::infinity();
   }
 
   double first_line(const Vec2& at, const Vec2& d, double length) const {
     double first = length;
-    for (const WeakLine& line : ice_.weak_lines)
+    for (const bodies::WeakLine& line : ice_.weak_lines)
       for (std::size_t i = 0; i + 1 < line.points.size(); ++i)
         first = std::min(first, meets(at, d, line.points[i], line.points[i + 1]));
     return first;
@@ -171,4 +171,4 @@ CrackPath crack_path(const std::vector<Vec2>& outline, const Vec2& start, double
   return Growth(outline, angle, segment, toughness, ice).from(start);
 }
 
-}  // namespace nilas
+}  // namespace nilas::fracture

@@ -4,7 +4,7 @@
 
 #include "fracture/cut/local_ice.h"
 
-namespace nilas {
+namespace nilas::fracture {
 
 /// The energy release rate of a short kink at the angle omega [rad] from a crack that is pulled open, over that of
 /// straight growth. To first order (Cotterell and Rice 1980) k_I = cos^3(omega/2) K and
@@ -29,4 +29,4 @@ struct CrackPath {
 CrackPath crack_path(const std::vector<Vec2>& outline, const Vec2& start, double angle, double segment,
                      double toughness, const LocalIce& ice);
 
-}  // namespace nilas
+}  // namespace nilas::fracture

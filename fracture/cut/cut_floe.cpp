@@ -8,7 +8,7 @@
 #include "core/geometry/polygon.h"
 #include "fracture/cut/smallest_box.h"
 
-namespace nilas {
+namespace nilas::fracture {
 
 namespace {
 
@@ -16,7 +16,7 @@ namespace {
 void check(const FloeState& floe) {
   constexpr double k_rounding = 1e-9;
   NILAS_DEMAND(floe.thickness > 0 && floe.mass > 0);
-  const MassProperties plate = prism_properties(floe.outline, floe.thickness, 1);
+  const geometry::MassProperties plate = geometry::prism_properties(floe.outline, floe.thickness, 1);
   const Mat3 inertia = floe.mass / plate.mass * plate.inertia;
   NILAS_DEMAND((floe.inertia_B - inertia).norm() <= k_rounding * inertia.norm());
   double reach = 0;
@@ -25,12 +25,12 @@ void check(const FloeState& floe) {
 }
 
 struct PieceShape {
-  std::vector<Vec2> outline;  ///< The outline about its centroid [m].
-  MassProperties unit;        ///< Properties at density 1; the centre is in the floe's B.
+  std::vector<Vec2> outline;      ///< The outline about its centroid [m].
+  geometry::MassProperties unit;  ///< Properties at density 1; the centre is in the floe's B.
 };
 
 PieceShape shape_of(const CutPiece& piece, double thickness) {
-  PieceShape shape{piece.outline, prism_properties(piece.outline, thickness, 1)};
+  PieceShape shape{piece.outline, geometry::prism_properties(piece.outline, thickness, 1)};
   for (Vec2& p : shape.outline) p -= shape.unit.com.head<2>();
   return shape;
 }
@@ -92,7 +92,7 @@ void trim(FloePiece& piece, MotionAccount& extruded, const Vec3& about_G) {
   std::vector<bool> crack = piece.crack;
   PieceShape shape{state.outline, {}};
   if (!trim_corners(shape.outline, crack, k_corner * state.thickness, state.thickness)) return;
-  shape.unit = prism_properties(shape.outline, state.thickness, 1);
+  shape.unit = geometry::prism_properties(shape.outline, state.thickness, 1);
   for (Vec2& p : shape.outline) p -= shape.unit.com.head<2>();
   const double mass = state.mass * std::min(1.0, shape.unit.mass / (piece.area * state.thickness));
   const MotionAccount before = motion_account(state, about_G);
@@ -124,7 +124,7 @@ FloeCut sorted(std::vector<FloePiece> all, const CutResult& cut, const PieceLimi
       return small ? refused(FloeCutStatus::too_small, cut, "a piece is smaller than min_area")
                    : refused(FloeCutStatus::too_narrow, cut, "a piece is longer than max_aspect");
     // The shift to its own centroid rounded the piece once more.
-    if (!small && !narrow && !is_simple(piece.state.outline))
+    if (!small && !narrow && !geometry::is_simple(piece.state.outline))
       return refused(FloeCutStatus::geometry, cut, "a piece is not simple about its own centroid");
     if (small || narrow) result.brash_account += motion_account(piece.state, about_G);
     (small || narrow ? result.brash : result.pieces).push_back(std::move(piece));
@@ -169,4 +169,4 @@ FloeCut cut_floe(const FloeState& floe, const std::vector<std::vector<Vec2>>& cr
   return sorted(std::move(all), cut, limits, floe.pose.p, crushed);
 }
 
-}  // namespace nilas
+}  // namespace nilas::fracture

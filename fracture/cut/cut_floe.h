@@ -9,7 +9,7 @@
 #include "fracture/crush/ice_columns.h"
 #include "fracture/cut/cut_outline.h"
 
-namespace nilas {
+namespace nilas::fracture {
 
 /// A floe of uniform thickness and density.
 struct FloeState {
@@ -74,4 +74,4 @@ struct FloeCut {
 FloeCut cut_floe(const FloeState& floe, const std::vector<std::vector<Vec2>>& cracks, const PieceLimits& limits,
                  const CrushedIce& crushed = {});
 
-}  // namespace nilas
+}  // namespace nilas::fracture

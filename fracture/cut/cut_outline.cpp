@@ -14,7 +14,7 @@
 #include "fracture/cut/crack_faces.h"
 #include "fracture/cut/snap_lines.h"
 
-namespace nilas {
+namespace nilas::fracture {
 
 namespace {
 
@@ -23,7 +23,7 @@ bool is_finite(const std::vector<Vec2>& points) {
 }
 
 bool is_simple_counter_clockwise(const std::vector<Vec2>& outline) {
-  return is_simple(outline) && !is_clockwise(outline);
+  return geometry::is_simple(outline) && !geometry::is_clockwise(outline);
 }
 
 CutResult refused(CutStatus status, const std::string& why) { return {status, why, {}, 0, 0}; }
@@ -165,4 +165,4 @@ CutResult cut_outline(const std::vector<Vec2>& outline, const std::vector<std::v
   }
 }
 
-}  // namespace nilas
+}  // namespace nilas::fracture

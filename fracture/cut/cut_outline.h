@@ -5,7 +5,7 @@
 
 #include "core/base/math.h"
 
-namespace nilas {
+namespace nilas::fracture {
 
 enum class CutStatus {
   cut,          ///< There are two pieces or more.
@@ -39,4 +39,4 @@ struct CutResult {
 /// order of their point of least x, then y, and begin there. A refusal is in the status: no geometry throws.
 CutResult cut_outline(const std::vector<Vec2>& outline, const std::vector<std::vector<Vec2>>& cracks);
 
-}  // namespace nilas
+}  // namespace nilas::fracture

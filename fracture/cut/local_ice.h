@@ -6,16 +6,16 @@
 #include "core/base/math.h"
 #include "core/bodies/ice_properties.h"
 
-namespace nilas {
+namespace nilas::fracture {
 
 /// The strengths in the floe's frame B. An empty function means that the strength is the same everywhere.
 struct LocalIce {
   std::function<double(const Vec2&)> flexural_strength;   ///< Flexural strength off the weak lines [Pa].
   std::function<double(const Vec2&)> fracture_toughness;  ///< Fracture toughness off the weak lines [Pa sqrt(m)].
-  std::vector<WeakLine> weak_lines;
+  std::vector<bodies::WeakLine> weak_lines;
 
   /// Whether the ice is the same everywhere, so that cracks are straight.
   bool is_uniform() const { return !flexural_strength && !fracture_toughness && weak_lines.empty(); }
 };
 
-}  // namespace nilas
+}  // namespace nilas::fracture

@@ -6,12 +6,12 @@
 
 #include "core/geometry/polygon.h"
 
-namespace nilas {
+namespace nilas::fracture {
 
 double SmallestBox::aspect() const { return width > 0 ? length / width : std::numeric_limits<double>::infinity(); }
 
 SmallestBox smallest_box(const std::vector<Vec2>& points) {
-  const std::vector<Vec2> hull = convex_hull(points);
+  const std::vector<Vec2> hull = geometry::convex_hull(points);
   SmallestBox best;
   double least = std::numeric_limits<double>::infinity();
   // All hull edges are tried: rotating calipers lose their place at edges of a few roundings.
@@ -31,4 +31,4 @@ SmallestBox smallest_box(const std::vector<Vec2>& points) {
   return best;
 }
 
-}  // namespace nilas
+}  // namespace nilas::fracture

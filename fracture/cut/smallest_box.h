@@ -4,7 +4,7 @@
 
 #include "core/base/math.h"
 
-namespace nilas {
+namespace nilas::fracture {
 
 struct SmallestBox {
   double length = 0, width = 0;  ///< length >= width [m]
@@ -16,4 +16,4 @@ struct SmallestBox {
 /// Shapira 1975, Commun. ACM 18(7)). The width is 0 for fewer than three points, or for points on one line.
 SmallestBox smallest_box(const std::vector<Vec2>& points);
 
-}  // namespace nilas
+}  // namespace nilas::fracture

@@ -9,7 +9,7 @@
 
 #include "core/geometry/orientation.h"
 
-namespace nilas {
+namespace nilas::fracture {
 
 namespace {
 
@@ -43,7 +43,8 @@ Vec2 crossing_point(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) 
 bool cross_properly(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
   if (std::max(a.x(), b.x()) < std::min(c.x(), d.x()) || std::max(c.x(), d.x()) < std::min(a.x(), b.x())) return false;
   if (std::max(a.y(), b.y()) < std::min(c.y(), d.y()) || std::max(c.y(), d.y()) < std::min(a.y(), b.y())) return false;
-  return orientation(a, b, c) * orientation(a, b, d) < 0 && orientation(c, d, a) * orientation(c, d, b) < 0;
+  return geometry::orientation(a, b, c) * geometry::orientation(a, b, d) < 0 &&
+         geometry::orientation(c, d, a) * geometry::orientation(c, d, b) < 0;
 }
 
 struct Segment {
@@ -226,4 +227,4 @@ SnappedLines snap_lines(const std::vector<Vec2>& outline, const std::vector<std:
   return Snapper(outline, cracks, resolution).run();
 }
 
-}  // namespace nilas
+}  // namespace nilas::fracture

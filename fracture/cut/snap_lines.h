@@ -4,7 +4,7 @@
 
 #include "core/base/math.h"
 
-namespace nilas {
+namespace nilas::fracture {
 
 /// Lines as sequences of indices of `points`. A point was added only where the line could use no known point within the
 /// resolution. Given vertices of the outline stay, however close to each other they are.
@@ -28,4 +28,4 @@ double snap_resolution(const std::vector<Vec2>& outline);
 SnappedLines snap_lines(const std::vector<Vec2>& outline, const std::vector<std::vector<Vec2>>& cracks,
                         double resolution);
 
-}  // namespace nilas
+}  // namespace nilas::fracture

@@ -5,13 +5,13 @@
 
 #include "core/base/error.h"
 
-namespace nilas {
+namespace nilas::fracture {
 
 namespace {
 
-bool is_structure(const Bodies& bodies, int body) {
-  const BodyKind kind = bodies.kind[body];
-  return kind == BodyKind::vessel || kind == BodyKind::rigid;
+bool is_structure(const bodies::Bodies& bodies, int body) {
+  const bodies::BodyKind kind = bodies.kind[body];
+  return kind == bodies::BodyKind::vessel || kind == bodies::BodyKind::rigid;
 }
 
 }  // namespace
@@ -20,30 +20,31 @@ Breaking::Breaking(const BreakingSettings& settings) : rules_(settings.failure) 
   if (settings.damage) damage_.emplace(*settings.damage);
 }
 
-void Breaking::note_loads(const Bodies& bodies, const IceProperties& ice, const StepMotion& motion) {
+void Breaking::note_loads(const bodies::Bodies& bodies, const bodies::IceProperties& ice,
+                          const contact::StepMotion& motion) {
   for (std::size_t i = 0; i < motion.points.size(); ++i) {
-    const ContactPoint& c = motion.points[i];
+    const detect::ContactPoint& c = motion.points[i];
     const bool on_b = ice.is_breakable(c.b) && is_structure(bodies, c.a);
     if (!on_b && !(ice.is_breakable(c.a) && is_structure(bodies, c.b))) continue;
     const auto floe = static_cast<std::size_t>(on_b ? c.b : c.a);
     const double sign = on_b ? 1 : -1;
     const Mat3& R = motion.R[floe];
-    const double closing = -c.n.dot(relative_velocity(motion, motion.before, i));
+    const double closing = -c.n.dot(contact::relative_velocity(motion, motion.before, i));
     loads_[bodies.id[floe]].push_back({R.transpose() * (c.p - motion.p[floe]),
                                        sign * (R.transpose() * motion.impulses[i]),
                                        std::max(0.0, closing) * std::abs(R.col(2).dot(c.n)), c.crushes()});
   }
 }
 
-IceAtContact Breaking::ice_at(const Bodies& bodies, const IceProperties& ice, std::size_t b, const Vec2& x,
-                              const LocalIce* around) {
+IceAtContact Breaking::ice_at(const bodies::Bodies& bodies, const bodies::IceProperties& ice, std::size_t b,
+                              const Vec2& x, const LocalIce* around) {
   const Vec3 place(x.x(), x.y(), 0);
   return {bodies.shape[b]->thickness, ice.flexural_strength[b].at(place), ice.fracture_toughness[b].at(place), around};
 }
 
 /// The strengths and weak lines of a floe, for cracks that follow them.
-static LocalIce local_ice(const IceProperties& ice, std::size_t b) {
-  const auto in_plane = [](const FloeStrength& strength) {
+static LocalIce local_ice(const bodies::IceProperties& ice, std::size_t b) {
+  const auto in_plane = [](const bodies::FloeStrength& strength) {
     std::function<double(const Vec2&)> at;
     if (strength.at_xy) at = [&field = strength.at_xy](const Vec2& x) { return field(x.x(), x.y()); };
     return at;
@@ -67,7 +68,8 @@ std::vector<Failure> Breaking::ways_under(const EdgeContact& contact, std::int64
   return ways;
 }
 
-std::vector<FloeBreak> Breaking::take_breaks(const Bodies& bodies, const IceProperties& ice, double step) {
+std::vector<FloeBreak> Breaking::take_breaks(const bodies::Bodies& bodies, const bodies::IceProperties& ice,
+                                             double step) {
   std::vector<FloeBreak> breaks;
   for (auto& [id, loads] : loads_) {
     const std::size_t b = bodies.index_of(id);
@@ -89,7 +91,7 @@ std::vector<FloeBreak> Breaking::take_breaks(const Bodies& bodies, const IceProp
   return breaks;
 }
 
-void Breaking::follow(const Bodies& bodies, const std::vector<NewPiece>& pieces) {
+void Breaking::follow(const bodies::Bodies& bodies, const std::vector<NewPiece>& pieces) {
   if (!damage_) return;
   for (const NewPiece& piece : pieces)
     damage_->hand_on(piece.floe, piece.id, piece.place, bodies.shape[bodies.index_of(piece.id)]->bounding_radius);
@@ -108,4 +110,4 @@ void Breaking::restore(const StateReader& in) {
   if (damage_) damage_->restore(in.group("damage"));
 }
 
-}  // namespace nilas
+}  // namespace nilas::fracture

@@ -13,7 +13,7 @@
 #include "fracture/ice_damage.h"
 #include "fracture/model/floe_pieces.h"
 
-namespace nilas {
+namespace nilas::fracture {
 
 struct BreakingSettings {
   FailureSettings failure;
@@ -26,14 +26,14 @@ class Breaking {
 
   /// Notes the impulses of the vessel and of bodies on breakable floes in this substep. Those of floes and walls do not
   /// count.
-  void note_loads(const Bodies& bodies, const IceProperties& ice, const StepMotion& motion);
+  void note_loads(const bodies::Bodies& bodies, const bodies::IceProperties& ice, const contact::StepMotion& motion);
 
   /// Returns the floes that break under the impulses noted since the last call, as forces over `step` [s]. They are in
   /// the order of their ids. The worst load of a floe comes first among its failure modes.
-  std::vector<FloeBreak> take_breaks(const Bodies& bodies, const IceProperties& ice, double step);
+  std::vector<FloeBreak> take_breaks(const bodies::Bodies& bodies, const bodies::IceProperties& ice, double step);
 
   /// Gives pieces the damage of their floes, which have left the bodies.
-  void follow(const Bodies& bodies, const std::vector<NewPiece>& pieces);
+  void follow(const bodies::Bodies& bodies, const std::vector<NewPiece>& pieces);
 
   /// The largest damage D of the places of a floe; 0 without <damage>.
   double damage(std::int64_t floe) const;
@@ -42,8 +42,8 @@ class Breaking {
   void restore(const StateReader& in);
 
  private:
-  static IceAtContact ice_at(const Bodies& bodies, const IceProperties& ice, std::size_t b, const Vec2& x,
-                             const LocalIce* around);
+  static IceAtContact ice_at(const bodies::Bodies& bodies, const bodies::IceProperties& ice, std::size_t b,
+                             const Vec2& x, const LocalIce* around);
   std::vector<Failure> ways_under(const EdgeContact& contact, std::int64_t floe, const std::vector<Vec2>& outline,
                                   const IceAtContact& ice);
 
@@ -53,4 +53,4 @@ class Breaking {
       loads_;  ///< Loads by the id of the floe; the forces are impulses [N s].
 };
 
-}  // namespace nilas
+}  // namespace nilas::fracture

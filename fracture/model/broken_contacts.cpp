@@ -7,7 +7,7 @@
 #include "contact/problem/row_of.h"
 #include "core/base/order_free_sum.h"
 
-namespace nilas {
+namespace nilas::fracture {
 
 namespace {
 
@@ -17,9 +17,9 @@ constexpr double k_reach_share = 2;
 constexpr double k_same = 1e-9;
 
 /// The place of a contact point a time h [s] earlier, carried back by the mean of both bodies' velocities [m].
-Vec3 place_before(const Bodies& bodies, const ContactPoint& c, double h) {
+Vec3 place_before(const bodies::Bodies& bodies, const detect::ContactPoint& c, double h) {
   const auto velocity = [&](int body) -> Vec3 {
-    if (bodies.motion[body] == Motion::fixed) return Vec3::Zero();
+    if (bodies.motion[body] == bodies::Motion::fixed) return Vec3::Zero();
     return bodies.velocity_at(body, c.p);
   };
   return c.p - 0.5 * h * (velocity(c.a) + velocity(c.b));
@@ -46,7 +46,7 @@ struct BrokenContacts::Taker {
   }
 };
 
-void BrokenContacts::note(const SolvedProblem& last, const std::vector<FractureEvent>& broken) {
+void BrokenContacts::note(const contact::SolvedProblem& last, const std::vector<FractureEvent>& broken) {
   forget();
   h_ = last.problem.h;
   std::set<std::int64_t> floes;
@@ -66,8 +66,8 @@ std::int64_t BrokenContacts::broken_or_self(std::int64_t id) const {
   return found == floe_of_.end() ? id : found->second;
 }
 
-std::vector<BrokenContacts::Taker> BrokenContacts::takers(const Bodies& bodies,
-                                                          const std::vector<ContactPoint>& points) const {
+std::vector<BrokenContacts::Taker> BrokenContacts::takers(const bodies::Bodies& bodies,
+                                                          const std::vector<detect::ContactPoint>& points) const {
   std::vector<Taker> found;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto a = static_cast<std::size_t>(points[i].a), b = static_cast<std::size_t>(points[i].b);
@@ -82,8 +82,8 @@ std::vector<BrokenContacts::Taker> BrokenContacts::takers(const Bodies& bodies,
   return found;
 }
 
-void BrokenContacts::add_to(const Bodies& bodies, const std::vector<ContactPoint>& points, const std::vector<Mat3>& C,
-                            VecX& guess) const {
+void BrokenContacts::add_to(const bodies::Bodies& bodies, const std::vector<detect::ContactPoint>& points,
+                            const std::vector<Mat3>& C, VecX& guess) const {
   if (loads_.empty()) return;
   std::vector<Taker> all = takers(bodies, points);
   for (const Load& load : loads_) {
@@ -97,7 +97,7 @@ void BrokenContacts::add_to(const Bodies& bodies, const std::vector<ContactPoint
     for (Taker* taker : taking) taker->impulse.add(taker->part_of(load) / static_cast<double>(taking.size()));
   }
   for (const Taker& taker : all)
-    guess.segment<3>(row_of(taker.point)) += C[taker.point].transpose() * taker.impulse.value();
+    guess.segment<3>(contact::row_of(taker.point)) += C[taker.point].transpose() * taker.impulse.value();
 }
 
 void BrokenContacts::save(StateWriter out) const {
@@ -131,4 +131,4 @@ void BrokenContacts::restore(const StateReader& in) {
     loads_.push_back({between[2 * k], between[2 * k + 1], places[k], impulses[k]});
 }
 
-}  // namespace nilas
+}  // namespace nilas::fracture

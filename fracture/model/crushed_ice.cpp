@@ -5,7 +5,7 @@
 #include "fracture/cut/smallest_box.h"
 #include "fracture/model/crushing.h"
 
-namespace nilas {
+namespace nilas::fracture {
 
 namespace {
 
@@ -17,7 +17,7 @@ constexpr double k_rounding = 1e-9;
 
 using Polygons = std::vector<std::vector<Vec2>>;
 
-Placement in_floe(const Bodies& bodies, std::size_t hull, std::size_t floe) {
+Placement in_floe(const bodies::Bodies& bodies, std::size_t hull, std::size_t floe) {
   const Mat3 to_floe = bodies.R_GB[floe].transpose();
   return {to_floe * bodies.R_GB[hull], to_floe * (bodies.p_GB[hull] - bodies.p_GB[floe])};
 }
@@ -33,14 +33,15 @@ struct Box {
   }
 };
 
-void add_hull(const CrushingSurface& hull, const Placement& hull_in_floe, const Shape& floe, CrushedIce& ice) {
+void add_hull(const CrushingSurface& hull, const Placement& hull_in_floe, const geometry::Shape& floe,
+              CrushedIce& ice) {
   const double h = floe.thickness;
   Box around;
   around.extend(floe.outline);
   const Vec2 beyond = 0.5 * (around.high - around.low);  // so that the box cuts no column within the outline
   around.low -= beyond;
   around.high += beyond;
-  const auto reaches = [&](const ConvexPolytope& part) {
+  const auto reaches = [&](const geometry::ConvexPolytope& part) {
     const Vec3 centre = hull_in_floe.point(part.centre);
     return (centre.head<2>() - around.low).minCoeff() > -part.radius &&
            (around.high - centre.head<2>()).minCoeff() > -part.radius && std::abs(centre.z()) < part.radius + 0.5 * h;
@@ -83,7 +84,7 @@ bool parts_floe(const std::vector<Vec2>& outline, const Failure& way) {
 
 }  // namespace
 
-CrushedIce Crushing::crushed_through(const Bodies& bodies, std::int64_t floe) const {
+CrushedIce Crushing::crushed_through(const bodies::Bodies& bodies, std::int64_t floe) const {
   const std::size_t b = bodies.index_of(floe);
   CrushedIce ice;
   for (const CrushingSurface& hull : hulls_)
@@ -92,13 +93,13 @@ CrushedIce Crushing::crushed_through(const Bodies& bodies, std::int64_t floe) co
   return ice;
 }
 
-std::vector<FloeBreak> Crushing::floes_to_clear(const Bodies& bodies, WarningCounts& warnings) const {
+std::vector<FloeBreak> Crushing::floes_to_clear(const bodies::Bodies& bodies, WarningCounts& warnings) const {
   std::set<std::int64_t> floes;
   for (const Ids& ids : near_hulls_) floes.insert(ids.second);
   std::vector<FloeBreak> breaks;
   for (const std::int64_t floe : floes) {
     const std::size_t b = bodies.index_of(floe);
-    const Shape& shape = *bodies.shape[b];
+    const geometry::Shape& shape = *bodies.shape[b];
     Failure way;
     way.kind = FailureKind::crushing;
     way.crushed = crushed_through(bodies, floe);
@@ -128,4 +129,4 @@ std::vector<FloeBreak> Crushing::floes_to_clear(const Bodies& bodies, WarningCou
   return breaks;
 }
 
-}  // namespace nilas
+}  // namespace nilas::fracture

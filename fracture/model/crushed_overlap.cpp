@@ -3,12 +3,12 @@
 
 #include "fracture/model/crushing.h"
 
-namespace nilas {
+namespace nilas::fracture {
 
 namespace {
 
 /// The depth of a point inside a part, measured to the part's outer faces [m]; 0 outside it or where it has none.
-double depth_in(const ConvexPolytope& part, const std::vector<char>& outer, const Vec3& x) {
+double depth_in(const geometry::ConvexPolytope& part, const std::vector<char>& outer, const Vec3& x) {
   double way_out = -1;
   for (std::size_t f = 0; f < part.normals.size(); ++f) {
     const double inside = part.offsets[f] - part.normals[f].dot(x);
@@ -18,10 +18,10 @@ double depth_in(const ConvexPolytope& part, const std::vector<char>& outer, cons
   return std::max(0.0, way_out);
 }
 
-double deepest_corner(const CrushingSurface& hull, const Placement& floe_in_hull, const Shape& floe) {
+double deepest_corner(const CrushingSurface& hull, const Placement& floe_in_hull, const geometry::Shape& floe) {
   double deepest = 0;
   for (std::size_t k = 0; k < hull.parts.size(); ++k) {
-    const ConvexPolytope& part = hull.parts[k];
+    const geometry::ConvexPolytope& part = hull.parts[k];
     if ((floe_in_hull.p - part.centre).norm() > part.radius + floe.bounding_radius) continue;
     for (const Vec2& corner : floe.outline)
       for (const double z : {-0.5 * floe.thickness, 0.5 * floe.thickness}) {
@@ -35,7 +35,7 @@ double deepest_corner(const CrushingSurface& hull, const Placement& floe_in_hull
 
 }  // namespace
 
-double Crushing::deepest_overlap(const Bodies& bodies) const {
+double Crushing::deepest_overlap(const bodies::Bodies& bodies) const {
   double deepest = 0;
   for (const CrushingSurface& hull : hulls_)
     for (int floe = 0; floe < bodies.size(); ++floe) {
@@ -49,4 +49,4 @@ double Crushing::deepest_overlap(const Bodies& bodies) const {
   return deepest;
 }
 
-}  // namespace nilas
+}  // namespace nilas::fracture

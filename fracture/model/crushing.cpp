@@ -9,7 +9,7 @@
 #include "core/base/order_free_sum.h"
 #include "core/geometry/mass_properties.h"
 
-namespace nilas {
+namespace nilas::fracture {
 
 namespace {
 
@@ -25,9 +25,9 @@ struct Moving {
   Vec3 p, v, w;
   Mat3 R;
 
-  Moving(const Bodies& bodies, int body)
+  Moving(const bodies::Bodies& bodies, int body)
       : p(bodies.p_GB[body]), v(bodies.v_GB[body]), w(bodies.w_GB[body]), R(bodies.R_GB[body]) {
-    if (bodies.motion[body] != Motion::fixed) return;
+    if (bodies.motion[body] != bodies::Motion::fixed) return;
     v.setZero();
     w.setZero();
   }
@@ -41,8 +41,8 @@ struct Moving {
 };
 
 /// Whether a ball may reach into one of the convex parts.
-bool reaches(const std::vector<ConvexPolytope>& parts, const Vec3& centre, double radius) {
-  return std::any_of(parts.begin(), parts.end(), [&](const ConvexPolytope& part) {
+bool reaches(const std::vector<geometry::ConvexPolytope>& parts, const Vec3& centre, double radius) {
+  return std::any_of(parts.begin(), parts.end(), [&](const geometry::ConvexPolytope& part) {
     for (std::size_t f = 0; f < part.normals.size(); ++f)
       if (part.normals[f].dot(centre) - part.offsets[f] > radius) return false;
     return true;
@@ -68,7 +68,7 @@ struct Crushing::FaceLoad {
 
 struct Crushing::Pair {
   const CrushingSurface& hull;
-  const Bodies& bodies;
+  const bodies::Bodies& bodies;
   int floe;
   double h, ahead;
   Moving of_hull, of_floe;
@@ -83,13 +83,13 @@ struct Crushing::Pair {
   bool touches() const { return !faces.empty() || !faces_next.empty(); }
 
   std::int64_t id(int body) const { return bodies.id[body]; }
-  const std::vector<ConvexPolytope>& pieces() const { return bodies.shape[floe]->parts; }
+  const std::vector<geometry::ConvexPolytope>& pieces() const { return bodies.shape[floe]->parts; }
   CrushedFace name(const FaceInIce& face) const { return {id(hull.body), id(floe), face.face, face.piece}; }
   Placement hull_in_floe(double t) const { return between(of_hull.after(t), of_floe.after(t)); }
   double pressing_area(const std::vector<FaceInIce>& in_ice) const;
   Vec3 place(const FaceLoad& load, const Vec3& x) const;
   double first_touch(const FaceInIce& face) const;
-  ContactPoint point_on(const FaceInIce& face) const;
+  detect::ContactPoint point_on(const FaceInIce& face) const;
 };
 
 /// The area that the pressure depends on [m^2]. Faces that slide along the ice or back off carry no load, and do not
@@ -124,16 +124,17 @@ double Crushing::Pair::first_touch(const FaceInIce& face) const {
 }
 
 /// A contact point with the bodies, the normal and the key of the face.
-ContactPoint Crushing::Pair::point_on(const FaceInIce& face) const {
+detect::ContactPoint Crushing::Pair::point_on(const FaceInIce& face) const {
   const HullFace& surface = hull.faces[face.face];
   const Vec3 into_ice = of_hull.R * surface.normal;
-  ContactPoint point;
+  detect::ContactPoint point;
   point.a = hull.body;
   point.b = floe;
   point.part_a = surface.part;
   point.part_b = face.piece;
   point.n = into_ice;
-  point.key = mix(mix(key, static_cast<std::uint64_t>(face.face)), static_cast<std::uint64_t>(face.piece));
+  point.key =
+      detect::mix(detect::mix(key, static_cast<std::uint64_t>(face.face)), static_cast<std::uint64_t>(face.piece));
   if (hull.body < floe) return point;
   std::swap(point.a, point.b);
   std::swap(point.part_a, point.part_b);
@@ -141,24 +142,24 @@ ContactPoint Crushing::Pair::point_on(const FaceInIce& face) const {
   return point;
 }
 
-Crushing::Crushing(const CrushingSettings& settings, const Bodies& bodies, const IceProperties& ice)
+Crushing::Crushing(const CrushingSettings& settings, const bodies::Bodies& bodies, const bodies::IceProperties& ice)
     : law_(settings.law), ice_(ice), between_floes_(settings.between_floes), clear_volume_(settings.clear_volume) {
   is_hull_.assign(bodies.id.size(), 0);
   for (int body = 0; body < bodies.size(); ++body) learn(bodies, body);
 }
 
-void Crushing::learn(const Bodies& bodies, int body) {
+void Crushing::learn(const bodies::Bodies& bodies, int body) {
   const auto b = static_cast<std::size_t>(body);
-  if (bodies.kind[b] != BodyKind::vessel && bodies.kind[b] != BodyKind::rigid) return;
+  if (bodies.kind[b] != bodies::BodyKind::vessel && bodies.kind[b] != bodies::BodyKind::rigid) return;
   auto surface = crushing_surface(bodies, body);
   if (!surface) return;
   is_hull_[b] = 1;
   hulls_.push_back(std::move(*surface));
 }
 
-void Crushing::follow(const Bodies& bodies, const std::vector<NewPiece>& pieces) {
+void Crushing::follow(const bodies::Bodies& bodies, const std::vector<NewPiece>& pieces) {
   for (const NewPiece& piece : pieces) {
-    const Shape& shape = *bodies.shape[bodies.index_of(piece.id)];
+    const geometry::Shape& shape = *bodies.shape[bodies.index_of(piece.id)];
     depth_.hand_on(piece.floe, piece.id, piece.place, static_cast<int>(shape.parts.size()));
   }
   is_hull_.assign(bodies.id.size(), 0);
@@ -173,7 +174,7 @@ void Crushing::follow(const Bodies& bodies, const std::vector<NewPiece>& pieces)
 }
 
 /// The surface of a floe, computed once and kept.
-const CrushingSurface& Crushing::floe_surface(const Bodies& bodies, int floe) {
+const CrushingSurface& Crushing::floe_surface(const bodies::Bodies& bodies, int floe) {
   CrushingSurface& surface = floes_[bodies.id[floe]];
   if (surface.parts.empty()) surface = crushing_surface(bodies, floe).value();
   surface.body = floe;
@@ -186,12 +187,12 @@ bool Crushing::crushes(int a, int b) const {
 }
 
 /// The largest distance that a point of the body may move in a time [m].
-static double way(const Bodies& bodies, std::size_t b, double time) {
-  if (bodies.motion[b] == Motion::fixed) return 0;
+static double way(const bodies::Bodies& bodies, std::size_t b, double time) {
+  if (bodies.motion[b] == bodies::Motion::fixed) return 0;
   return time * (bodies.v_GB[b].norm() + bodies.w_GB[b].norm() * bodies.shape[b]->bounding_radius);
 }
 
-bool Crushing::balls_meet(const Bodies& bodies, int a, int b, double ahead) {
+bool Crushing::balls_meet(const bodies::Bodies& bodies, int a, int b, double ahead) {
   const auto i = static_cast<std::size_t>(a), k = static_cast<std::size_t>(b);
   const double reach = bodies.shape[i]->bounding_radius + bodies.shape[k]->bounding_radius + way(bodies, i, ahead) +
                        way(bodies, k, ahead);
@@ -203,18 +204,19 @@ const CrushingSurface& Crushing::hull_of(int body) const {
 }
 
 /// Whether the floe's bounding ball, widened by both motions until the step's end, reaches a part of the hull.
-bool Crushing::may_meet(const Bodies& bodies, const CrushingSurface& hull, int floe, double ahead) {
+bool Crushing::may_meet(const bodies::Bodies& bodies, const CrushingSurface& hull, int floe, double ahead) {
   const auto k = static_cast<std::size_t>(hull.body), b = static_cast<std::size_t>(floe);
-  if (bodies.motion[k] == Motion::fixed && bodies.motion[b] == Motion::fixed) return false;
+  if (bodies.motion[k] == bodies::Motion::fixed && bodies.motion[b] == bodies::Motion::fixed) return false;
   const double reach = bodies.shape[b]->bounding_radius + way(bodies, k, ahead) + way(bodies, b, ahead);
   const Vec3 between = bodies.p_GB[b] - bodies.p_GB[k];
   if (between.norm() > bodies.shape[k]->bounding_radius + reach) return false;
   return reaches(hull.parts, bodies.R_GB[k].transpose() * between, reach);
 }
 
-std::vector<ContactPoint> Crushing::points(const Bodies& bodies, const std::vector<std::pair<int, int>>& near, double h,
-                                           double ahead) {
-  std::vector<ContactPoint> points;
+std::vector<detect::ContactPoint> Crushing::points(const bodies::Bodies& bodies,
+                                                   const std::vector<std::pair<int, int>>& near, double h,
+                                                   double ahead) {
+  std::vector<detect::ContactPoint> points;
   near_hulls_.clear();
   for (const auto& [a, b] : near) {
     if (!is_hull(a) && !is_hull(b)) {
@@ -242,7 +244,7 @@ double Crushing::pressure(const Pair& pair, const FaceInIce& face, const Placeme
   return law_.pressure(strength, total);
 }
 
-Crushing::Pair Crushing::pair_of(const Bodies& bodies, const CrushingSurface& hull, int floe, double h,
+Crushing::Pair Crushing::pair_of(const bodies::Bodies& bodies, const CrushingSurface& hull, int floe, double h,
                                  double ahead) const {
   Pair pair{hull, bodies, floe, h, ahead, Moving(bodies, hull.body), Moving(bodies, floe), {}, {}, {}, {}};
   pair.present = pair.hull_in_floe(0);
@@ -255,12 +257,12 @@ Crushing::Pair Crushing::pair_of(const Bodies& bodies, const CrushingSurface& hu
   pair.pressing = by_area ? pair.pressing_area(pair.faces) : pair.area;
   pair.pressing_next = by_area ? pair.pressing_area(pair.faces_next) : pair.area_next;
   pair.least = k_point_share * std::sqrt(std::max(pair.area, pair.area_next));
-  pair.key = mix(mix(0x6372757368ULL, static_cast<std::uint64_t>(pair.id(hull.body))),
-                 static_cast<std::uint64_t>(pair.id(floe)));
+  pair.key = detect::mix(detect::mix(0x6372757368ULL, static_cast<std::uint64_t>(pair.id(hull.body))),
+                         static_cast<std::uint64_t>(pair.id(floe)));
   return pair;
 }
 
-void Crushing::add_pair(const Pair& pair, std::vector<ContactPoint>& points) {
+void Crushing::add_pair(const Pair& pair, std::vector<detect::ContactPoint>& points) {
   for (const FaceLoad& load : loads_of(pair)) add_face(pair, load, points);
 }
 
@@ -314,7 +316,7 @@ bool Crushing::first_counts(const Pair& of_first, const Pair& of_second) {
   const double a_in_b = now ? of_first.area : of_first.area_next, b_in_a = now ? of_second.area : of_second.area_next;
   // A floe that is wholly inside the other has no area of the other's surface in it.
   if (a_in_b == 0 || b_in_a == 0) return b_in_a == 0;
-  const Bodies& bodies = of_first.bodies;
+  const bodies::Bodies& bodies = of_first.bodies;
   const auto a = static_cast<std::size_t>(of_first.hull.body), b = static_cast<std::size_t>(of_second.hull.body);
   for (const auto& [of_a, of_b] : {std::pair(a_in_b, b_in_a), std::pair(bodies.mass[a], bodies.mass[b]),
                                    std::pair(bodies.inertia_B[a].trace(), bodies.inertia_B[b].trace())})
@@ -324,8 +326,8 @@ bool Crushing::first_counts(const Pair& of_first, const Pair& of_second) {
 
 /// Adds the points of two floes. The choice of the faces is remembered only for floes that touch now, so that it
 /// depends neither on velocities nor on the step's length.
-void Crushing::add_floes(const Bodies& bodies, int a, int b, double h, double ahead,
-                         std::vector<ContactPoint>& points) {
+void Crushing::add_floes(const bodies::Bodies& bodies, int a, int b, double h, double ahead,
+                         std::vector<detect::ContactPoint>& points) {
   const Ids ids(bodies.id[a], bodies.id[b]);
   const CrushingSurface &of_a = floe_surface(bodies, a), &of_b = floe_surface(bodies, b);
   const auto pair = [&](bool first) { return pair_of(bodies, first ? of_a : of_b, first ? b : a, h, ahead); };
@@ -344,22 +346,22 @@ void Crushing::add_floes(const Bodies& bodies, int a, int b, double h, double ah
   add(takes_first ? first : second, takes_first);
 }
 
-void Crushing::add_face(const Pair& pair, const FaceLoad& load, std::vector<ContactPoint>& points) {
+void Crushing::add_face(const Pair& pair, const FaceLoad& load, std::vector<detect::ContactPoint>& points) {
   const FaceInIce& face = load.face();
   CrushedPlane crushed{face.normal, -std::numeric_limits<double>::infinity(), face.centroid};
   if (load.now) crushed = depth_.advance(pair.name(face), face.normal, face.centroid, std::sqrt(face.spread.trace()));
-  const ContactPoint of_face = pair.point_on(face);
+  const detect::ContactPoint of_face = pair.point_on(face);
   const Vec3 centre = pair.place(load, face.centroid);
   const Vec3 velocity = pair.of_hull.velocity_at(centre) - pair.of_floe.velocity_at(centre);
   const double rest = k_rest_share * velocity.norm();
   const auto add = [&](const Vec3& x, double limit, double compliance, int number) {
-    ContactPoint point = of_face;
+    detect::ContactPoint point = of_face;
     point.p = pair.place(load, x);
     point.gap = crushed.gap(x) + rest * pair.h;
     point.force_limit = limit;
     point.pressure = load.pressure;
     point.compliance = compliance;
-    point.key = mix(of_face.key, static_cast<std::uint64_t>(number));
+    point.key = detect::mix(of_face.key, static_cast<std::uint64_t>(number));
     points.push_back(point);
   };
   if (load.force > 0) {
@@ -374,20 +376,21 @@ void Crushing::add_face(const Pair& pair, const FaceLoad& load, std::vector<Cont
   points.back().gap += out * closing * pair.h;
 }
 
-void Crushing::note_crushed(const Bodies& bodies, const StepMotion& motion) {
+void Crushing::note_crushed(const bodies::Bodies& bodies, const contact::StepMotion& motion) {
   std::map<int, double> densities;
   const auto density = [&](int body) {
     const auto [known, is_new] = densities.try_emplace(body, 0);
     const auto b = static_cast<std::size_t>(body);
-    const Shape& shape = *bodies.shape[b];
-    if (is_new) known->second = bodies.mass[b] / (polygon_moments(shape.outline).area * shape.thickness);
+    const geometry::Shape& shape = *bodies.shape[b];
+    if (is_new) known->second = bodies.mass[b] / (geometry::polygon_moments(shape.outline).area * shape.thickness);
     return known->second;
   };
   OrderFreeSum crushed;
   for (std::size_t i = 0; i < motion.points.size(); ++i) {
-    const ContactPoint& c = motion.points[i];
+    const detect::ContactPoint& c = motion.points[i];
     if (!c.crushes() || c.pressure == 0) continue;
-    const Vec3 twice = relative_velocity(motion, motion.before, i) + relative_velocity(motion, motion.after, i);
+    const Vec3 twice =
+        contact::relative_velocity(motion, motion.before, i) + contact::relative_velocity(motion, motion.after, i);
     const double work = -0.5 * motion.normal_impulses[i].dot(twice);
     const bool of_a = ice_.is_breakable(c.a), of_b = ice_.is_breakable(c.b);
     const double mean = of_a && of_b ? 0.5 * (density(c.a) + density(c.b)) : density(of_a ? c.a : c.b);
@@ -416,4 +419,4 @@ void Crushing::restore(const StateReader& in) {
   in.get("crushed_mass", crushed_mass_);
 }
 
-}  // namespace nilas
+}  // namespace nilas::fracture

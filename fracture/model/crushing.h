@@ -19,7 +19,7 @@
 #include "fracture/model/crushing_surface.h"
 #include "fracture/model/floe_pieces.h"
 
-namespace nilas {
+namespace nilas::fracture {
 
 struct CrushingSettings {
   CrushingLaw law;
@@ -31,13 +31,13 @@ class Crushing {
  public:
   /// Computes the surfaces of the vessel and of the bodies with flat faces. Cylinders crush with their facets. Contacts
   /// of spheres and planes stay rigid. `ice` must outlive this object.
-  Crushing(const CrushingSettings& settings, const Bodies& bodies, const IceProperties& ice);
+  Crushing(const CrushingSettings& settings, const bodies::Bodies& bodies, const bodies::IceProperties& ice);
 
   /// Adds the mass of the ice that was crushed in this substep. Its volume is the work of the crush points' normal
   /// forces over the pressure.
-  void note_crushed(const Bodies& bodies, const StepMotion& motion);
+  void note_crushed(const bodies::Bodies& bodies, const contact::StepMotion& motion);
   /// Updates the indices of the hulls after bodies came or went. Pieces inherit the crushed depth of the broken floe.
-  void follow(const Bodies& bodies, const std::vector<NewPiece>& pieces);
+  void follow(const bodies::Bodies& bodies, const std::vector<NewPiece>& pieces);
 
   /// Whether the contact of two bodies is crushing. It is for a breakable floe and the vessel or a body, and with
   /// `between_floes` for two breakable floes.
@@ -57,18 +57,18 @@ class Crushing {
   /// other (docs/theory/fracture-crushing.md). By Gauss' theorem force and moment of an even pressure are the same for
   /// the faces of the other. The object remembers these choices and how deep the faces are. Further calls at the same
   /// poses remember the same, whatever the velocities, h and `ahead`.
-  std::vector<ContactPoint> points(const Bodies& bodies, const std::vector<std::pair<int, int>>& near, double h,
-                                   double ahead);
+  std::vector<detect::ContactPoint> points(const bodies::Bodies& bodies, const std::vector<std::pair<int, int>>& near,
+                                           double h, double ahead);
 
   /// The floes of which hulls have crushed more than the scene's clear_volume through the whole thickness, in the order
   /// of their ids, with the cut that removes this ice. A smaller volume counts where its cut would part the floe. A
   /// strip along the hulls' surfaces stays, so that their faces remain in ice. A hull that is surrounded by its floe
   /// cuts nothing; where it has crushed more than clear_volume, `warnings` says so.
-  std::vector<FloeBreak> floes_to_clear(const Bodies& bodies, WarningCounts& warnings) const;
+  std::vector<FloeBreak> floes_to_clear(const bodies::Bodies& bodies, WarningCounts& warnings) const;
 
   /// The largest depth [m] of a corner of a breakable floe inside the vessel or a body that crushes it, at the present
   /// poses. It is the least distance to an outer face of the convex part that the corner is in. 0 where none is inside.
-  double deepest_overlap(const Bodies& bodies) const;
+  double deepest_overlap(const bodies::Bodies& bodies) const;
 
   /// The state that points() keeps from one call to the next: whose faces count, and how deep faces were in the ice.
   struct Memory {
@@ -93,24 +93,25 @@ class Crushing {
   struct FaceLoad;
   struct Pair;
 
-  void learn(const Bodies& bodies, int body);
+  void learn(const bodies::Bodies& bodies, int body);
   bool is_hull(int body) const { return is_hull_[body] != 0; }
   const CrushingSurface& hull_of(int body) const;
-  static bool balls_meet(const Bodies& bodies, int a, int b, double ahead);
-  const CrushingSurface& floe_surface(const Bodies& bodies, int floe);
+  static bool balls_meet(const bodies::Bodies& bodies, int a, int b, double ahead);
+  const CrushingSurface& floe_surface(const bodies::Bodies& bodies, int floe);
   static bool first_counts(const Pair& of_first, const Pair& of_second);
-  void add_floes(const Bodies& bodies, int a, int b, double h, double ahead, std::vector<ContactPoint>& points);
-  static bool may_meet(const Bodies& bodies, const CrushingSurface& hull, int floe, double ahead);
-  Pair pair_of(const Bodies& bodies, const CrushingSurface& hull, int floe, double h, double ahead) const;
-  void add_pair(const Pair& pair, std::vector<ContactPoint>& points);
+  void add_floes(const bodies::Bodies& bodies, int a, int b, double h, double ahead,
+                 std::vector<detect::ContactPoint>& points);
+  static bool may_meet(const bodies::Bodies& bodies, const CrushingSurface& hull, int floe, double ahead);
+  Pair pair_of(const bodies::Bodies& bodies, const CrushingSurface& hull, int floe, double h, double ahead) const;
+  void add_pair(const Pair& pair, std::vector<detect::ContactPoint>& points);
   std::vector<FaceLoad> loads_of(const Pair& pair) const;
   static void leave_net_growth(std::vector<FaceLoad>& loads, std::size_t first);
-  void add_face(const Pair& pair, const FaceLoad& load, std::vector<ContactPoint>& points);
+  void add_face(const Pair& pair, const FaceLoad& load, std::vector<detect::ContactPoint>& points);
   double pressure(const Pair& pair, const FaceInIce& face, const Placement& hull_in_floe, double total) const;
-  CrushedIce crushed_through(const Bodies& bodies, std::int64_t floe) const;
+  CrushedIce crushed_through(const bodies::Bodies& bodies, std::int64_t floe) const;
 
   CrushingLaw law_;
-  const IceProperties& ice_;
+  const bodies::IceProperties& ice_;
   std::vector<CrushingSurface> hulls_;
   std::vector<char> is_hull_;  ///< A flag per body.
   using Ids = std::pair<std::int64_t, std::int64_t>;
@@ -123,4 +124,4 @@ class Crushing {
   double crushed_mass_ = 0;   ///< [kg]
 };
 
-}  // namespace nilas
+}  // namespace nilas::fracture

@@ -1,16 +1,16 @@
 #include "fracture/model/floe_pieces.h"
 
-namespace nilas {
+namespace nilas::fracture {
 
 namespace {
 
 /// The strength of the floe in the frame of its piece at `place` [m].
-FloeStrength moved(const FloeStrength& strength, const Vec2& place) {
+bodies::FloeStrength moved(const bodies::FloeStrength& strength, const Vec2& place) {
   if (!strength.at_xy) return strength;
   return {strength.mean, [at = strength.at_xy, place](double x, double y) { return at(x + place.x(), y + place.y()); }};
 }
 
-FloeState state_of(const Bodies& bodies, std::size_t b) {
+FloeState state_of(const bodies::Bodies& bodies, std::size_t b) {
   FloeState floe;
   floe.outline = bodies.shape[b]->outline;
   floe.thickness = bodies.shape[b]->thickness;
@@ -18,7 +18,7 @@ FloeState state_of(const Bodies& bodies, std::size_t b) {
   floe.inertia_B = bodies.inertia_B[b];
   floe.pose.p = bodies.p_GB[b];
   floe.pose.q = bodies.q_GB[b];
-  if (bodies.motion[b] == Motion::fixed) return floe;
+  if (bodies.motion[b] == bodies::Motion::fixed) return floe;
   floe.v_GB = bodies.v_GB[b];
   floe.w_GB = bodies.w_GB[b];
   return floe;
@@ -54,10 +54,11 @@ FloePieces::Origin FloePieces::origin_of(std::int64_t id) const {
 }
 
 /// Appends the piece to the bodies, with the strengths of the scene's floe at its place.
-void FloePieces::add_body(BodySpec spec, const Origin& origin, Bodies& bodies, IceProperties& ice) {
+void FloePieces::add_body(bodies::BodySpec spec, const Origin& origin, bodies::Bodies& bodies,
+                          bodies::IceProperties& ice) {
   const Intact& intact = intact_.at(origin.floe);
   spec.name = intact.name + " piece " + std::to_string(bodies.next_id);
-  spec.kind = BodyKind::floe;
+  spec.kind = bodies::BodyKind::floe;
   spec.material = intact.material;
   origins_[bodies.next_id] = origin;
   const auto b = static_cast<std::size_t>(bodies.add(spec));
@@ -66,16 +67,17 @@ void FloePieces::add_body(BodySpec spec, const Origin& origin, Bodies& bodies, I
   ice.flexural_strength[b] = moved(intact.flexural, origin.place);
   ice.compressive_strength[b] = moved(intact.compressive, origin.place);
   ice.fracture_toughness[b] = moved(intact.toughness, origin.place);
-  ice.weak_lines[b] = lines_near(intact.weak_lines, origin.place, bodies.shape[b]->outline);
+  ice.weak_lines[b] = bodies::lines_near(intact.weak_lines, origin.place, bodies.shape[b]->outline);
 }
 
-void FloePieces::add_piece(const FloePiece& piece, std::size_t floe, bool fixed, Bodies& bodies, IceProperties& ice) {
+void FloePieces::add_piece(const FloePiece& piece, std::size_t floe, bool fixed, bodies::Bodies& bodies,
+                           bodies::IceProperties& ice) {
   const FloeState& state = piece.state;
   Origin origin = origin_of(bodies.id[floe]);
   origin.place += (bodies.R_GB[floe].transpose() * (state.pose.p - bodies.p_GB[floe])).head<2>();
-  BodySpec spec;
-  spec.motion = fixed ? Motion::fixed : Motion::free;
-  spec.shape = std::make_shared<const Shape>(prism_shape(state.outline, state.thickness));
+  bodies::BodySpec spec;
+  spec.motion = fixed ? bodies::Motion::fixed : bodies::Motion::free;
+  spec.shape = std::make_shared<const geometry::Shape>(geometry::prism_shape(state.outline, state.thickness));
   spec.mass = state.mass;
   spec.inertia_B = state.inertia_B;
   spec.pose = state.pose;
@@ -85,7 +87,7 @@ void FloePieces::add_piece(const FloePiece& piece, std::size_t floe, bool fixed,
 }
 
 /// Keeps the properties that pieces inherit from a floe of the scene, before it leaves.
-void FloePieces::keep_intact(std::size_t b, const Bodies& bodies, const IceProperties& ice) {
+void FloePieces::keep_intact(std::size_t b, const bodies::Bodies& bodies, const bodies::IceProperties& ice) {
   if (origins_.count(bodies.id[b]) > 0) return;
   intact_[bodies.id[b]] = {bodies.name[b],
                            bodies.material_name(static_cast<int>(b)),
@@ -95,7 +97,7 @@ void FloePieces::keep_intact(std::size_t b, const Bodies& bodies, const IcePrope
                            ice.weak_lines[b]};
 }
 
-void FloePieces::take_out(std::size_t b, Bodies& bodies, IceProperties& ice) {
+void FloePieces::take_out(std::size_t b, bodies::Bodies& bodies, bodies::IceProperties& ice) {
   origins_.erase(bodies.id[b]);
   std::vector<char> gone(bodies.id.size(), 0);
   gone[b] = 1;
@@ -103,8 +105,8 @@ void FloePieces::take_out(std::size_t b, Bodies& bodies, IceProperties& ice) {
   ice.remove(gone);
 }
 
-FractureEvent FloePieces::put(const FloeBreak& broken, Bodies& bodies, IceProperties& ice, WarningCounts& warnings,
-                              std::vector<NewPiece>& pieces) {
+FractureEvent FloePieces::put(const FloeBreak& broken, bodies::Bodies& bodies, bodies::IceProperties& ice,
+                              WarningCounts& warnings, std::vector<NewPiece>& pieces) {
   const std::size_t b = bodies.index_of(broken.floe);
   FractureEvent event;
   event.floe = broken.floe;
@@ -126,7 +128,7 @@ FractureEvent FloePieces::put(const FloeBreak& broken, Bodies& bodies, IceProper
     brash_mass_ += event.brash;
     extruded_mass_ += event.extruded;
     keep_intact(b, bodies, ice);
-    const bool is_fixed = bodies.motion[b] == Motion::fixed;
+    const bool is_fixed = bodies.motion[b] == bodies::Motion::fixed;
     const std::vector<char> fixed = fixed_pieces(cut, way);
     for (std::size_t k = 0; k < cut.pieces.size(); ++k) {
       const Vec3 place = bodies.R_GB[b].transpose() * (cut.pieces[k].state.pose.p - bodies.p_GB[b]);
@@ -142,4 +144,4 @@ FractureEvent FloePieces::put(const FloeBreak& broken, Bodies& bodies, IceProper
   return event;
 }
 
-}  // namespace nilas
+}  // namespace nilas::fracture

@@ -13,7 +13,7 @@
 #include "fracture/failure.h"
 #include "fracture/model/fracture_event.h"
 
-namespace nilas {
+namespace nilas::fracture {
 
 /// A floe that breaks, with its failure modes, the largest ratio first.
 struct FloeBreak {
@@ -30,24 +30,24 @@ class FloePieces {
   /// stays fixed. So do others that have more old edge than cracks around them and a larger area than all wedges,
   /// unless the floe splits. The rest is free. Returns the event without time and energy, which the caller knows. It
   /// has no pieces and no brash where no failure mode cuts the floe, and `warnings` says so.
-  FractureEvent put(const FloeBreak& broken, Bodies& bodies, IceProperties& ice, WarningCounts& warnings,
-                    std::vector<NewPiece>& pieces);
+  FractureEvent put(const FloeBreak& broken, bodies::Bodies& bodies, bodies::IceProperties& ice,
+                    WarningCounts& warnings, std::vector<NewPiece>& pieces);
 
   double brash_mass() const { return brash_mass_; }        ///< Mass of brash since the start [kg].
   double extruded_mass() const { return extruded_mass_; }  ///< Mass of crushed ice cut out since the start [kg].
 
   /// Writes the pieces of earlier breaks and their origins. Call it between two steps.
-  void save(const Bodies& bodies, StateWriter out) const;
+  void save(const bodies::Bodies& bodies, StateWriter out) const;
   /// Breaks the scene's floes as they were broken when saved. The bodies have the same ids; their poses are not set.
   /// Throws InputError when the state belongs to another scene.
-  void restore(const StateReader& in, Bodies& bodies, IceProperties& ice);
+  void restore(const StateReader& in, bodies::Bodies& bodies, bodies::IceProperties& ice);
 
  private:
   /// The properties of a broken floe of the scene that its pieces inherit.
   struct Intact {
     std::string name, material;
-    FloeStrength flexural, compressive, toughness;
-    std::vector<WeakLine> weak_lines;
+    bodies::FloeStrength flexural, compressive, toughness;
+    std::vector<bodies::WeakLine> weak_lines;
   };
   /// The frame of a piece in that of the scene's floe from which it was cut.
   struct Origin {
@@ -57,12 +57,13 @@ class FloePieces {
 
   static std::vector<char> fixed_pieces(const FloeCut& cut, const Failure& way);
   Origin origin_of(std::int64_t id) const;
-  void add_piece(const FloePiece& piece, std::size_t floe, bool fixed, Bodies& bodies, IceProperties& ice);
-  void add_body(BodySpec spec, const Origin& origin, Bodies& bodies, IceProperties& ice);
-  void keep_intact(std::size_t b, const Bodies& bodies, const IceProperties& ice);
-  void take_out(std::size_t b, Bodies& bodies, IceProperties& ice);
-  void take_broken_out(const StateReader& in, Bodies& bodies, IceProperties& ice);
-  void put_saved_pieces(const StateReader& in, Bodies& bodies, IceProperties& ice);
+  void add_piece(const FloePiece& piece, std::size_t floe, bool fixed, bodies::Bodies& bodies,
+                 bodies::IceProperties& ice);
+  void add_body(bodies::BodySpec spec, const Origin& origin, bodies::Bodies& bodies, bodies::IceProperties& ice);
+  void keep_intact(std::size_t b, const bodies::Bodies& bodies, const bodies::IceProperties& ice);
+  void take_out(std::size_t b, bodies::Bodies& bodies, bodies::IceProperties& ice);
+  void take_broken_out(const StateReader& in, bodies::Bodies& bodies, bodies::IceProperties& ice);
+  void put_saved_pieces(const StateReader& in, bodies::Bodies& bodies, bodies::IceProperties& ice);
 
   PieceLimits limits_;
   std::map<std::int64_t, Origin> origins_;  ///< Origins of the present pieces, by id.
@@ -70,4 +71,4 @@ class FloePieces {
   double brash_mass_ = 0, extruded_mass_ = 0;
 };
 
-}  // namespace nilas
+}  // namespace nilas::fracture

@@ -3,9 +3,9 @@
 
 #include "fracture/model/floe_pieces.h"
 
-namespace nilas {
+namespace nilas::fracture {
 
-void FloePieces::save(const Bodies& bodies, StateWriter out) const {
+void FloePieces::save(const bodies::Bodies& bodies, StateWriter out) const {
   std::vector<std::int64_t> broken, ids, floes, corners, fixed;
   std::vector<Vec2> places, outlines;
   std::vector<double> thickness, mass;
@@ -13,7 +13,7 @@ void FloePieces::save(const Bodies& bodies, StateWriter out) const {
   for (const auto& [id, floe] : intact_) broken.push_back(id);
   for (const auto& [id, origin] : origins_) {
     const std::size_t b = bodies.index_of(id);
-    const Shape& shape = *bodies.shape[b];
+    const geometry::Shape& shape = *bodies.shape[b];
     ids.push_back(id);
     floes.push_back(origin.floe);
     places.push_back(origin.place);
@@ -22,7 +22,7 @@ void FloePieces::save(const Bodies& bodies, StateWriter out) const {
     thickness.push_back(shape.thickness);
     mass.push_back(bodies.mass[b]);
     inertia.push_back(bodies.inertia_B[b]);
-    fixed.push_back(bodies.motion[b] == Motion::fixed ? 1 : 0);
+    fixed.push_back(bodies.motion[b] == bodies::Motion::fixed ? 1 : 0);
   }
   out.add("broken", broken);
   out.add("piece", ids);
@@ -38,14 +38,14 @@ void FloePieces::save(const Bodies& bodies, StateWriter out) const {
   out.add("extruded_mass", extruded_mass_);
 }
 
-void FloePieces::restore(const StateReader& in, Bodies& bodies, IceProperties& ice) {
+void FloePieces::restore(const StateReader& in, bodies::Bodies& bodies, bodies::IceProperties& ice) {
   in.get("brash_mass", brash_mass_);
   in.get("extruded_mass", extruded_mass_);
   take_broken_out(in, bodies, ice);
   put_saved_pieces(in, bodies, ice);
 }
 
-void FloePieces::take_broken_out(const StateReader& in, Bodies& bodies, IceProperties& ice) {
+void FloePieces::take_broken_out(const StateReader& in, bodies::Bodies& bodies, bodies::IceProperties& ice) {
   std::vector<std::int64_t> broken;
   in.get("broken", broken);
   for (const std::int64_t id : broken) {
@@ -58,7 +58,7 @@ void FloePieces::take_broken_out(const StateReader& in, Bodies& bodies, IcePrope
   }
 }
 
-void FloePieces::put_saved_pieces(const StateReader& in, Bodies& bodies, IceProperties& ice) {
+void FloePieces::put_saved_pieces(const StateReader& in, bodies::Bodies& bodies, bodies::IceProperties& ice) {
   std::vector<std::int64_t> ids, floes, corners, fixed;
   std::vector<Vec2> places, outlines;
   std::vector<double> thickness, mass;
@@ -79,11 +79,11 @@ void FloePieces::put_saved_pieces(const StateReader& in, Bodies& bodies, IceProp
     if (intact_.count(floes[k]) == 0) in.refuse("of_floe", "names a floe that is not broken");
     if (ids[k] < bodies.next_id) in.refuse("piece", "its numbers do not rise");
     if (n < 3 || first + n > outlines.size()) in.refuse("outline", "it has another length than corners say");
-    BodySpec spec;
-    spec.motion = fixed[k] ? Motion::fixed : Motion::free;
+    bodies::BodySpec spec;
+    spec.motion = fixed[k] ? bodies::Motion::fixed : bodies::Motion::free;
     const auto begin = outlines.begin() + static_cast<std::ptrdiff_t>(first);
-    spec.shape = std::make_shared<const Shape>(
-        prism_shape(std::vector<Vec2>(begin, begin + static_cast<std::ptrdiff_t>(n)), thickness[k]));
+    spec.shape = std::make_shared<const geometry::Shape>(
+        geometry::prism_shape(std::vector<Vec2>(begin, begin + static_cast<std::ptrdiff_t>(n)), thickness[k]));
     spec.mass = mass[k];
     spec.inertia_B = inertia[k];
     bodies.next_id = ids[k];
@@ -92,4 +92,4 @@ void FloePieces::put_saved_pieces(const StateReader& in, Bodies& bodies, IceProp
   }
 }
 
-}  // namespace nilas
+}  // namespace nilas::fracture

@@ -6,7 +6,7 @@
 
 #include "core/base/math.h"
 
-namespace nilas {
+namespace nilas::fracture {
 
 /// A floe that broke.
 struct FractureEvent {
@@ -33,4 +33,4 @@ struct NewPiece {
   Vec2 place = Vec2::Zero();  ///< Its centre in the floe's frame [m]; both frames are parallel.
 };
 
-}  // namespace nilas
+}  // namespace nilas::fracture

@@ -6,28 +6,28 @@
 #include "fracture/model/floe_pieces.h"
 #include "fracture/model/step_end.h"
 
-namespace nilas {
+namespace nilas::fracture {
 
 namespace {
 
-class CrushingModule : public Module {
+class CrushingModule : public bodies::Module {
  public:
-  CrushingModule(const CrushingSettings& settings, const Bodies& bodies, const IceProperties& ice,
+  CrushingModule(const CrushingSettings& settings, const bodies::Bodies& bodies, const bodies::IceProperties& ice,
                  WarningCounts& warnings)
       : crushing_(settings, bodies, ice), warnings_(warnings) {}
 
   std::string name() const override { return "crushing"; }
   bool owns_pairs() const override { return true; }
   bool owns_pair(int a, int b) const override { return crushing_.crushes(a, b); }
-  void add_contacts(const Bodies& bodies, const BodyPairs& near, const SubstepLength& length,
-                    std::vector<ContactPoint>& points) override {
-    const std::vector<ContactPoint> found = crushing_.points(bodies, near, length.h, length.ahead);
+  void add_contacts(const bodies::Bodies& bodies, const bodies::BodyPairs& near, const bodies::SubstepLength& length,
+                    std::vector<detect::ContactPoint>& points) override {
+    const std::vector<detect::ContactPoint> found = crushing_.points(bodies, near, length.h, length.ahead);
     points.insert(points.end(), found.begin(), found.end());
   }
   void remember() override { memory_ = crushing_.memory(); }
   void go_back() override { crushing_.set_memory(memory_); }
   void begin_step() override { deepest_ = 0; }
-  void note_motion(const Bodies& bodies, const StepMotion& motion) override {
+  void note_motion(const bodies::Bodies& bodies, const contact::StepMotion& motion) override {
     crushing_.note_crushed(bodies, motion);
     deepest_ = std::max(deepest_, crushing_.deepest_overlap(bodies));
   }
@@ -35,11 +35,13 @@ class CrushingModule : public Module {
     for (FloeBreak& floe : crushing_.floes_to_clear(end.bodies, warnings_))
       end.failures[floe.floe].push_back(std::move(floe.ways.front()));
   }
-  void follow(const Bodies& bodies, const std::vector<NewPiece>& pieces) override { crushing_.follow(bodies, pieces); }
+  void follow(const bodies::Bodies& bodies, const std::vector<NewPiece>& pieces) override {
+    crushing_.follow(bodies, pieces);
+  }
   std::vector<std::string> columns() const override { return {"crushed_overlap_max_m"}; }
   void append_values(std::vector<double>& values) const override { values.push_back(deepest_); }
   double total(std::string_view name) const override { return name == "crushed_mass" ? crushing_.crushed_mass() : 0; }
-  void save(const Bodies& /*bodies*/, StateWriter out) const override { crushing_.save(out); }
+  void save(const bodies::Bodies& /*bodies*/, StateWriter out) const override { crushing_.save(out); }
   void restore(const StateReader& in) override { crushing_.restore(in); }
 
  private:
@@ -49,12 +51,12 @@ class CrushingModule : public Module {
   double deepest_ = 0;  ///< Largest overlap of the step [m].
 };
 
-class BreakingModule : public Module {
+class BreakingModule : public bodies::Module {
  public:
-  BreakingModule(const BreakingSettings& settings, const IceProperties& ice) : breaking_(settings), ice_(ice) {}
+  BreakingModule(const BreakingSettings& settings, const bodies::IceProperties& ice) : breaking_(settings), ice_(ice) {}
 
   std::string name() const override { return "breaking"; }
-  void note_motion(const Bodies& bodies, const StepMotion& motion) override {
+  void note_motion(const bodies::Bodies& bodies, const contact::StepMotion& motion) override {
     breaking_.note_loads(bodies, ice_, motion);
   }
   void end_step(StepEnd& end) override {
@@ -63,28 +65,30 @@ class BreakingModule : public Module {
       ways.insert(ways.begin(), std::make_move_iterator(floe.ways.begin()), std::make_move_iterator(floe.ways.end()));
     }
   }
-  void follow(const Bodies& bodies, const std::vector<NewPiece>& pieces) override { breaking_.follow(bodies, pieces); }
+  void follow(const bodies::Bodies& bodies, const std::vector<NewPiece>& pieces) override {
+    breaking_.follow(bodies, pieces);
+  }
   double of_body(std::string_view name, std::int64_t id) const override {
     return name == "damage" ? breaking_.damage(id) : 0;
   }
-  void save(const Bodies& /*bodies*/, StateWriter out) const override { breaking_.save(out); }
+  void save(const bodies::Bodies& /*bodies*/, StateWriter out) const override { breaking_.save(out); }
   void restore(const StateReader& in) override { breaking_.restore(in); }
 
  private:
   Breaking breaking_;
-  const IceProperties& ice_;
+  const bodies::IceProperties& ice_;
 };
 
 /// Cuts the floes that fail. A floe may both break and have crushed ice to be cut out. The break is then tried first,
 /// and the ice is cut out only where it fails.
-class PiecesModule : public Module {
+class PiecesModule : public bodies::Module {
  public:
-  PiecesModule(const PieceLimits& limits, IceProperties& ice, WarningCounts& warnings)
+  PiecesModule(const PieceLimits& limits, bodies::IceProperties& ice, WarningCounts& warnings)
       : pieces_(limits), ice_(ice), warnings_(warnings) {}
 
   std::string name() const override { return "pieces"; }
-  void add_to_guess(const Bodies& bodies, const std::vector<ContactPoint>& points, const std::vector<Mat3>& frames,
-                    VecX& guess) override {
+  void add_to_guess(const bodies::Bodies& bodies, const std::vector<detect::ContactPoint>& points,
+                    const std::vector<Mat3>& frames, VecX& guess) override {
     broken_contacts_.add_to(bodies, points, frames, guess);
   }
   void end_guess() override { broken_contacts_.forget(); }
@@ -103,33 +107,34 @@ class PiecesModule : public Module {
     if (name == "brash_mass") return pieces_.brash_mass();
     return name == "extruded_mass" ? pieces_.extruded_mass() : 0;
   }
-  void save(const Bodies& bodies, StateWriter out) const override {
+  void save(const bodies::Bodies& bodies, StateWriter out) const override {
     pieces_.save(bodies, out);
     broken_contacts_.save(out.group("contacts"));
   }
-  void restore_bodies(const StateReader& in, Bodies& bodies) override { pieces_.restore(in, bodies, ice_); }
+  void restore_bodies(const StateReader& in, bodies::Bodies& bodies) override { pieces_.restore(in, bodies, ice_); }
   void restore(const StateReader& in) override { broken_contacts_.restore(in.group("contacts")); }
 
  private:
   FloePieces pieces_;
-  IceProperties& ice_;
+  bodies::IceProperties& ice_;
   WarningCounts& warnings_;
   BrokenContacts broken_contacts_;  ///< Impulses of the last step, until the next are solved.
 };
 
 }  // namespace
 
-std::unique_ptr<Module> make_crushing(const CrushingSettings& settings, const Bodies& bodies, const IceProperties& ice,
-                                      WarningCounts& warnings) {
+std::unique_ptr<bodies::Module> make_crushing(const CrushingSettings& settings, const bodies::Bodies& bodies,
+                                              const bodies::IceProperties& ice, WarningCounts& warnings) {
   return std::make_unique<CrushingModule>(settings, bodies, ice, warnings);
 }
 
-std::unique_ptr<Module> make_breaking(const BreakingSettings& settings, const IceProperties& ice) {
+std::unique_ptr<bodies::Module> make_breaking(const BreakingSettings& settings, const bodies::IceProperties& ice) {
   return std::make_unique<BreakingModule>(settings, ice);
 }
 
-std::unique_ptr<Module> make_pieces(const PieceLimits& limits, IceProperties& ice, WarningCounts& warnings) {
+std::unique_ptr<bodies::Module> make_pieces(const PieceLimits& limits, bodies::IceProperties& ice,
+                                            WarningCounts& warnings) {
   return std::make_unique<PiecesModule>(limits, ice, warnings);
 }
 
-}  // namespace nilas
+}  // namespace nilas::fracture

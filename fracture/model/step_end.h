@@ -10,13 +10,13 @@
 #include "fracture/failure.h"
 #include "fracture/model/fracture_event.h"
 
-namespace nilas {
+namespace nilas::fracture {
 
 struct StepEnd {
-  Bodies& bodies;
-  double t = 0;               ///< [s]
-  double step = 0;            ///< Length of the step [s].
-  const SolvedProblem& last;  ///< The contacts of the last substep.
+  bodies::Bodies& bodies;
+  double t = 0;                        ///< [s]
+  double step = 0;                     ///< Length of the step [s].
+  const contact::SolvedProblem& last;  ///< The contacts of the last substep.
   /// Enters the change of a break into the energy account, with the present bodies. Returns the energy that left them
   /// [J].
   std::function<double()> book_break;
@@ -25,4 +25,4 @@ struct StepEnd {
   std::vector<NewPiece> pieces;                           ///< The pieces in their place.
 };
 
-}  // namespace nilas
+}  // namespace nilas::fracture

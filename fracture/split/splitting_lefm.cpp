@@ -8,7 +8,7 @@
 #include "core/base/math.h"
 #include "fracture/split/splitting_table.h"
 
-namespace nilas {
+namespace nilas::fracture {
 
 namespace {
 
@@ -117,4 +117,4 @@ static double wedge_ratio(double psi, double mu) {
 double wedge_force(double F_Y, double psi, double mu) { return F_Y * wedge_ratio(psi, mu); }
 double opening_force(double F_X, double psi, double mu) { return F_X / wedge_ratio(psi, mu); }
 
-}  // namespace nilas
+}  // namespace nilas::fracture

@@ -4,7 +4,7 @@
 
 #include "fracture/split/tabulate.h"
 
-namespace nilas {
+namespace nilas::fracture {
 
 /// A rectangular floe with an edge crack.
 struct SplittingFloe {
@@ -63,4 +63,4 @@ double wedge_force(double F_Y, double psi, double mu);
 /// The inverse of wedge_force: F_Y [N] of a wedge that presses with F_X [N].
 double opening_force(double F_X, double psi, double mu);
 
-}  // namespace nilas
+}  // namespace nilas::fracture

@@ -3,7 +3,7 @@
 /// of the fifth order, graded to the crack tip and the load. J is a domain integral. Refining moves the values by less
 /// than 5e-5.
 
-namespace nilas::splitting_table {
+namespace nilas::fracture::splitting_table {
 
 constexpr double longest = 0.9;  ///< Largest A/L.
 constexpr double widest = 8;     ///< Largest W/L; the least is its inverse.
@@ -75,4 +75,4 @@ constexpr double shape[21][32] = {
      1.69215, 1.7938,  1.90672, 2.02885, 2.15801, 2.29196, 2.42846, 2.56529, 2.70036, 2.83169, 2.95747,
      3.07607, 3.18604, 3.28634, 3.37552, 3.45266, 3.51702, 3.56794, 3.60461, 3.62729, 3.63453}};
 
-}  // namespace nilas::splitting_table
+}  // namespace nilas::fracture::splitting_table

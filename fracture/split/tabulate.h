@@ -3,7 +3,7 @@
 #include <boost/math/interpolators/cardinal_cubic_b_spline.hpp>
 #include <vector>
 
-namespace nilas {
+namespace nilas::fracture {
 
 /// A cubic spline, twice continuously differentiable.
 using TableSpline = boost::math::interpolators::cardinal_cubic_b_spline<double>;
@@ -29,4 +29,4 @@ TableSpline tabulate(const Function& f, double from, double to, int intervals) {
   return tabulate(f, from, to, intervals, end_slope(f, from, 0.25 * (to - from) / intervals));
 }
 
-}  // namespace nilas
+}  // namespace nilas::fracture

@@ -39,7 +39,7 @@ TEST(Compare, LeavesTablesPicturesAndAPageThatSayTheSame) {
   }
   for (const char* name : {"front.svg", "front.png", "compare.html"})
     EXPECT_GT(fs::file_size(out / name), 1000U) << name;
-  expect_page(out, nilas::html_text(json["text"][0].get<std::string>().substr(0, 20)));
+  expect_page(out, nilas::output::html_text(json["text"][0].get<std::string>().substr(0, 20)));
   EXPECT_EQ(read_text(out / "compare.html").find("http"), read_text(out / "compare.html").find("http://www.w3.org"));
   EXPECT_NE(result.out.find("parallel efficiency"), std::string::npos) << result.out;
 }

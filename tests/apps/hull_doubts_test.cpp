@@ -13,7 +13,7 @@
 namespace {
 
 using namespace nilas_test;
-using nilas::MeshAxes;
+using nilas::hull::MeshAxes;
 
 nlohmann::json report(const ProgramResult& made) {
   EXPECT_EQ(made.exit_code, 0) << made.err;

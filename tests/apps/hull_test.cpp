@@ -13,7 +13,7 @@
 namespace {
 
 using namespace nilas_test;
-using nilas::TriangleMesh;
+using nilas::geometry::TriangleMesh;
 
 /// Prepares the mesh file; a failed run leaves an empty report.
 nlohmann::json prepared(const ScratchFolder& folder, const std::string& arguments) {
@@ -48,20 +48,23 @@ void expect_usable(const ScratchFolder& folder, const std::string& hull, double 
 
 TEST(HullCommand, FiveShapesArePreparedAndFloatInIce) {
   const ScratchFolder folder;
-  const TriangleMesh cone = nilas::cone_mesh(1, 1.5, 24), pool = nilas::moonpool_mesh(), ship = nilas::ship_mesh(30, 6),
-                     bulb = nilas::bulb_mesh({5.9, 0, 0.12}, {0.5, 0.09, 0.1}, 8), wedge = nilas::wedge_mesh();
+  const TriangleMesh cone = nilas::mesh::cone_mesh(1, 1.5, 24), pool = nilas::mesh::moonpool_mesh(),
+                     ship = nilas::mesh::ship_mesh(30, 6),
+                     bulb = nilas::mesh::bulb_mesh({5.9, 0, 0.12}, {0.5, 0.09, 0.1}, 8),
+                     wedge = nilas::mesh::wedge_mesh();
   struct Case {
     std::string name;
     std::vector<TriangleMesh> shells;
     double low_volume, high_volume;
   };
-  const double semi = nilas::semisubmersible_volume(16), both = signed_volume(ship) + signed_volume(bulb);
+  const double semi = nilas::mesh::semisubmersible_volume(16),
+               both = geometry::signed_volume(ship) + geometry::signed_volume(bulb);
   const std::vector<Case> cases{
-      {"wedge", {wedge}, nilas::k_wedge_volume, nilas::k_wedge_volume},
-      {"cone", {cone}, signed_volume(cone), signed_volume(cone)},
-      {"moonpool", {pool}, nilas::k_moonpool_volume, nilas::k_moonpool_volume},
-      {"bulb", {ship, bulb}, signed_volume(ship), both},
-      {"semi", nilas::semisubmersible_shells(16), semi, semi},
+      {"wedge", {wedge}, nilas::mesh::k_wedge_volume, nilas::mesh::k_wedge_volume},
+      {"cone", {cone}, geometry::signed_volume(cone), geometry::signed_volume(cone)},
+      {"moonpool", {pool}, nilas::mesh::k_moonpool_volume, nilas::mesh::k_moonpool_volume},
+      {"bulb", {ship, bulb}, geometry::signed_volume(ship), both},
+      {"semi", nilas::mesh::semisubmersible_shells(16), semi, semi},
   };
   for (const auto& c : cases) {
     write_obj(folder.path() / (c.name + ".obj"), c.shells);
@@ -82,9 +85,9 @@ TEST(HullCommand, FiveShapesArePreparedAndFloatInIce) {
 
 TEST(HullCommand, AHundredThousandTrianglesSomeOfThemWrong) {
   const ScratchFolder folder;
-  TriangleMesh hull = nilas::bulb_mesh({2, 0, 0.3}, {2, 0.5, 0.3}, 160);
+  TriangleMesh hull = nilas::mesh::bulb_mesh({2, 0, 0.3}, {2, 0.5, 0.3}, 160);
   ASSERT_GT(hull.triangles.size(), 100000u);
-  const double volume = signed_volume(hull);
+  const double volume = geometry::signed_volume(hull);
   for (std::size_t k = 500; k < hull.triangles.size(); k += 1000) std::swap(hull.triangles[k][0], hull.triangles[k][1]);
   for (std::size_t k = 5; k > 0; --k)  // small holes
     hull.triangles.erase(hull.triangles.begin() + static_cast<std::ptrdiff_t>(20000 * k));
@@ -99,7 +102,7 @@ TEST(HullCommand, AHundredThousandTrianglesSomeOfThemWrong) {
 TEST(HullCommand, ABarge) {
   // closed forms of a box of 4 x 1 x 0.5 at half draught, drawn in millimetres with y up
   const ScratchFolder folder;
-  std::vector<TriangleMesh> shells{nilas::box_mesh({-2, 0, -0.5}, {2, 0.5, 0.5})};
+  std::vector<TriangleMesh> shells{nilas::mesh::box_mesh({-2, 0, -0.5}, {2, 0.5, 0.5})};
   write_obj(folder.path() / "barge.obj", shells, 1e-3);
   const auto report = prepared(folder, "barge.obj --scale 0.001 --up y --draught 0.25");
   EXPECT_NEAR(report["volume_m3"], 2, 1e-9);
@@ -117,7 +120,7 @@ TEST(HullCommand, ABarge) {
 
 TEST(HullCommand, AnOpenHullIsRefusedWithItsPlaceAndAPicture) {
   const ScratchFolder folder;
-  TriangleMesh open = nilas::box_mesh({0, 0, 0}, {4, 1, 1});
+  TriangleMesh open = nilas::mesh::box_mesh({0, 0, 0}, {4, 1, 1});
   std::erase_if(open.triangles, [&](const auto& t) {
     return std::all_of(t.begin(), t.end(), [&](int v) { return open.vertices[v].z() == 1; });
   });
@@ -135,7 +138,7 @@ TEST(HullCommand, FilesOfTheUserStay) {
   const ScratchFolder folder;
   fs::create_directories(folder.path() / "mine");
   for (const char* name : {"part-bow.stl", "part-01.stl"})
-    nilas::write_stl(nilas::box_mesh({0, 0, 0}, {4, 1, 1}), folder.path() / "mine" / name);
+    nilas::geometry::write_stl(nilas::mesh::box_mesh({0, 0, 0}, {4, 1, 1}), folder.path() / "mine" / name);
   const auto names = [&] {
     return fs::exists(folder / "mine/part-bow.stl") && fs::exists(folder / "mine/part-01.stl");
   };
@@ -196,7 +199,7 @@ TEST(HullCommand, AFlatMeshIsDrawn) {
 
 TEST(HullCommand, WithoutItsPictureAHullIsWrittenAllTheSame) {
   const ScratchFolder folder;
-  write_obj(folder / "box.obj", {nilas::box_mesh({0, 0, 0}, {4, 1, 1})});
+  write_obj(folder / "box.obj", {nilas::mesh::box_mesh({0, 0, 0}, {4, 1, 1})});
   const auto failed = run_with_path(with_gnuplot("exit 3\n", folder), "hull box.obj --out failed", folder);
   const auto absent = run_with_path("/nowhere", "hull box.obj --out absent", folder);
   EXPECT_NE(failed.err.find("gnuplot failed"), std::string::npos) << failed.err;
@@ -233,7 +236,7 @@ TEST(HullCommand, SliversAreNotDrawnInPieces) {
 
 TEST(HullCommand, AMissedToleranceIsSaid) {
   const ScratchFolder folder;
-  write_obj(folder.path() / "pool.obj", {nilas::moonpool_mesh()});
+  write_obj(folder.path() / "pool.obj", {nilas::mesh::moonpool_mesh()});
   const auto run = run_nilas("hull pool.obj --parts 2 --json --out two", folder.path());
   ASSERT_EQ(run.exit_code, 0) << run.err;
   for (const char* word : {"warning", "asked: 0.004 m", "--parts"})
@@ -248,8 +251,8 @@ TEST(HullCommand, AMissedToleranceIsSaid) {
 
 TEST(HullCommand, CoordinatesTooFarOffForTheirSizeAreRefused) {
   const ScratchFolder folder;
-  write_obj(folder.path() / "far.obj", {nilas::box_mesh({9e4, 0, 0}, {9e4 + 4, 1, 1})});
-  write_obj(folder.path() / "near.obj", {nilas::box_mesh({500, 0, 0}, {504, 1, 1})});
+  write_obj(folder.path() / "far.obj", {nilas::mesh::box_mesh({9e4, 0, 0}, {9e4 + 4, 1, 1})});
+  write_obj(folder.path() / "near.obj", {nilas::mesh::box_mesh({500, 0, 0}, {504, 1, 1})});
   const auto refused = run_nilas("hull far.obj --out made", folder.path());
   EXPECT_EQ(refused.exit_code, 2);
   for (const char* word : {"far.obj", "from the origin", "Move the mesh within"})
@@ -259,7 +262,7 @@ TEST(HullCommand, CoordinatesTooFarOffForTheirSizeAreRefused) {
 
 TEST(HullCommand, FlagsThatWouldDoNothingAreRefused) {
   const ScratchFolder folder;
-  write_obj(folder.path() / "box.obj", {nilas::box_mesh({0, 0, 0}, {4, 1, 1})});
+  write_obj(folder.path() / "box.obj", {nilas::mesh::box_mesh({0, 0, 0}, {4, 1, 1})});
   ASSERT_EQ(prepared(folder, "box.obj --out hb")["deviation_m"], 0);
   for (const std::string beside : {"hb", "--generate wedge"})
     for (const std::string flag :
@@ -277,7 +280,7 @@ TEST(HullCommand, FlagsThatWouldDoNothingAreRefused) {
 
 TEST(HullCommand, AHullFolderIsReportedAtAnotherDraught) {
   const ScratchFolder folder;
-  write_obj(folder.path() / "box.obj", {nilas::box_mesh({0, 0, 0}, {4, 1, 1})});
+  write_obj(folder.path() / "box.obj", {nilas::mesh::box_mesh({0, 0, 0}, {4, 1, 1})});
   prepared(folder, "box.obj --out hb --scale 0.5");
   const auto report = prepared(folder, "hb --out again --draught 0.1");
   EXPECT_NEAR(report["displaced_m3"], 2 * 0.5 * 0.1, 1e-9);
@@ -297,14 +300,14 @@ TEST(HullCommand, AGeneratedHullHasNoDeviation) {
 
 TEST(HullCommand, TheLeastDraughtStillHasAMetacentricHeight) {
   const ScratchFolder folder;
-  write_obj(folder.path() / "box.obj", {nilas::box_mesh({0, 0, 0}, {4, 1, 1})});
+  write_obj(folder.path() / "box.obj", {nilas::mesh::box_mesh({0, 0, 0}, {4, 1, 1})});
   const double least = 0.001;
   EXPECT_NEAR(prepared(folder, "box.obj --draught 0.001")["gm_m"], 0.5 * least + 1 / (12 * least) - 0.5, 1e-6);
 }
 
 TEST(HullCommand, WrongArgumentsAndFilesAreNamed) {
   const ScratchFolder folder;
-  write_obj(folder.path() / "box.obj", {nilas::box_mesh({0, 0, 0}, {4, 1, 1})});
+  write_obj(folder.path() / "box.obj", {nilas::mesh::box_mesh({0, 0, 0}, {4, 1, 1})});
   folder.write("cut.off", "OFF\n8 6 0\n0 0 0\n1 0");
   folder.write("hull.step", "ISO-10303-21;");
   struct Case {

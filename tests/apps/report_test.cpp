@@ -66,7 +66,7 @@ TEST(Report, DrawsThePiecesOfBrokenFloes) {
   ASSERT_GT(events.rows(), 0u);
   const double broke = events["time_s"][0];
   ASSERT_LT(broke, 1.3);
-  const auto area = [](const nilas::IceFrame& frame) {
+  const auto area = [](const nilas::report::IceFrame& frame) {
     double sum = 0;
     for (const auto& outline : frame.outlines)
       for (std::size_t k = 0; k < outline.size(); ++k) {
@@ -75,7 +75,8 @@ TEST(Report, DrawsThePiecesOfBrokenFloes) {
       }
     return sum;
   };
-  const auto before = nilas::ice_near(folder / "run", broke - 0.1), after = nilas::ice_near(folder / "run", 1.4);
+  const auto before = nilas::report::ice_near(folder / "run", broke - 0.1),
+             after = nilas::report::ice_near(folder / "run", 1.4);
   ASSERT_TRUE(before && after);
   EXPECT_EQ(before->outlines.size(), 1u);
   EXPECT_NEAR(area(*before), 2.9 * 4, 1e-4);

@@ -45,17 +45,17 @@ nlohmann::json untimed_summary(const fs::path& file) {
 
 /// HDF5 notes when a dataset was made, so the files themselves differ.
 void expect_same_problem(const fs::path& one, const fs::path& other) {
-  const nilas::Hdf5Reader a(one), b(other);
+  const nilas::hdf5::Hdf5Reader a(one), b(other);
   const auto names = a.datasets("fclib_global");
   EXPECT_EQ(b.datasets("fclib_global"), names);
   ASSERT_GT(names.size(), 5u);
   for (const auto& name : names) {
     const std::string place = "fclib_global/" + name;
     ASSERT_EQ(a.kind(place), b.kind(place)) << name;
-    if (a.kind(place) == nilas::Hdf5Reader::Kind::numbers) {
+    if (a.kind(place) == nilas::hdf5::Hdf5Reader::Kind::numbers) {
       EXPECT_EQ(a.exact_numbers(place), b.exact_numbers(place)) << name;
     }
-    if (a.kind(place) == nilas::Hdf5Reader::Kind::integers) {
+    if (a.kind(place) == nilas::hdf5::Hdf5Reader::Kind::integers) {
       EXPECT_EQ(a.wide_integers(place), b.wide_integers(place)) << name;
     }
   }
@@ -63,14 +63,14 @@ void expect_same_problem(const fs::path& one, const fs::path& other) {
 
 /// Rows written together differ with the wall time, so the files' bytes do.
 void expect_same_contacts(const fs::path& one, const fs::path& other) {
-  const nilas::Hdf5Reader a(one), b(other);
+  const nilas::hdf5::Hdf5Reader a(one), b(other);
   const auto names = a.datasets("contacts");
   EXPECT_EQ(b.datasets("contacts"), names);
   ASSERT_GT(names.size(), 15u);
   for (const auto& name : names) {
     const std::string place = "contacts/" + name;
     ASSERT_EQ(a.kind(place), b.kind(place)) << name;
-    if (a.kind(place) == nilas::Hdf5Reader::Kind::numbers) {
+    if (a.kind(place) == nilas::hdf5::Hdf5Reader::Kind::numbers) {
       EXPECT_EQ(a.exact_numbers(place), b.exact_numbers(place)) << name;
     } else {
       EXPECT_EQ(a.wide_integers(place), b.wide_integers(place)) << name;
@@ -143,7 +143,7 @@ TEST_F(Resume, KilledAtAnyMomentsLeavesTheSameRun) {
   const Table vessel(in("whole/vessel.csv"));
   const auto struck = [](double force) { return force != 0; };
   ASSERT_GT(std::count_if(vessel["contact_fx_N"].begin(), vessel["contact_fx_N"].end(), struck), 50);
-  ASSERT_GT(nilas::Hdf5Reader(in("whole/contacts.h5")).size("contacts/time_s"), 100u);
+  ASSERT_GT(nilas::hdf5::Hdf5Reader(in("whole/contacts.h5")).size("contacts/time_s"), 100u);
   std::mt19937 random(7);
   for (int trial = 0; trial < 4; ++trial) {
     const std::string out = "cut" + std::to_string(trial);
@@ -337,7 +337,7 @@ TEST_F(Resume, WhatIsNoRunIsRefused) {
 
 TEST_F(Resume, AnotherBuildOfTheProgramIsRefused) {
   demand("run ice.xml --quiet --until 0.2 --checkpoint-every 0.1 --out run");
-  const std::string program = nilas::Hdf5Reader(in("run/checkpoint.h5")).text("program");
+  const std::string program = nilas::hdf5::Hdf5Reader(in("run/checkpoint.h5")).text("program");
   for (const char* word : {"nilas ", "GNU ", "-O", "simbody ", "fcl ", "eigen ", "cgal ", "sundials "})
     EXPECT_TRUE(mentions(program, word)) << word << ": " << program;
   // The same but for a byte after all that is loaded.

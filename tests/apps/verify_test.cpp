@@ -96,7 +96,7 @@ TEST(Verify, ThePagesNameAsManyCasesAsThereAre) {
     const std::string text = read_text(page);
     std::smatch found;
     ASSERT_TRUE(std::regex_search(text, found, count)) << page;
-    EXPECT_EQ(std::stoul(found[1]), nilas::catalogue().size()) << page;
+    EXPECT_EQ(std::stoul(found[1]), nilas::verify::catalogue().size()) << page;
   }
 }
 

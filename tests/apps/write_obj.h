@@ -8,7 +8,7 @@
 namespace nilas_test {
 
 /// Writes a text OBJ with the shells one after the other, in units of `unit` metres.
-inline void write_obj(const std::filesystem::path& file, const std::vector<nilas::TriangleMesh>& shells,
+inline void write_obj(const std::filesystem::path& file, const std::vector<nilas::geometry::TriangleMesh>& shells,
                       double unit = 1) {
   std::ofstream out(file);
   out.precision(9);

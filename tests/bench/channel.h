@@ -17,11 +17,11 @@ constexpr int k_length_over_width = 2;
 constexpr double k_reach = 0.35;  ///< Distance of a pair's points from the middle of their side [floe sizes].
 
 /// Rows and columns of square floes of 1 m, from the hull on. Block 0 is the hull.
-inline ContactProblem channel(int size) {
+inline contact::ContactProblem channel(int size) {
   const int columns = std::max(2, static_cast<int>(std::sqrt(size / 4.0 / k_length_over_width)));
   const int rows = std::max(2, size / (4 * columns));
   RandomStream random(7, "channel");
-  ContactProblem problem;
+  contact::ContactProblem problem;
   problem.h = k_step;
   std::vector<test::TestBody> bodies;
   const auto add = [&](double mass, const Vec3& p, const Vec3& v, double radius) {

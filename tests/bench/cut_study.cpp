@@ -24,18 +24,18 @@ struct Tally {
 void raise(double& worst, double value) { worst = std::max(worst, value); }
 
 void cut_floe_too(const CutCase& made, RandomStream& random, Tally& tally) {
-  const Vec2 centroid = polygon_moments(made.outline).centroid;
-  const FloeState floe = random_floe(made.outline, random);
+  const Vec2 centroid = geometry::polygon_moments(made.outline).centroid;
+  const fracture::FloeState floe = random_floe(made.outline, random);
   if (!sound(floe.outline)) return;
   Lines cracks = made.cracks;
   for (auto& crack : cracks)
     for (Vec2& p : crack) p -= centroid;
-  PieceLimits limits;
-  limits.min_area = 1e-3 * polygon_moments(floe.outline).area;
+  fracture::PieceLimits limits;
+  limits.min_area = 1e-3 * geometry::polygon_moments(floe.outline).area;
   limits.small = SmallPieces::brash;
-  const FloeCut cut = cut_floe(floe, cracks, limits);
-  if (cut.status == FloeCutStatus::geometry) ++tally.refused["floe: " + cut.message];
-  if (cut.status != FloeCutStatus::cut) return;
+  const fracture::FloeCut cut = fracture::cut_floe(floe, cracks, limits);
+  if (cut.status == fracture::FloeCutStatus::geometry) ++tally.refused["floe: " + cut.message];
+  if (cut.status != fracture::FloeCutStatus::cut) return;
   raise(tally.motion, motion_error(floe, cut).worst());
   raise(tally.birth_overlap, deepest_overlap(pieces_in_plane(floe, cut)));
 }
@@ -43,22 +43,22 @@ void cut_floe_too(const CutCase& made, RandomStream& random, Tally& tally) {
 void study(CutClass kind, RandomStream& random, Tally& tally) {
   const CutCase made = cut_case(kind, random);
   const auto start = std::chrono::steady_clock::now();
-  const CutResult cut = cut_outline(made.outline, made.cracks);
+  const fracture::CutResult cut = fracture::cut_outline(made.outline, made.cracks);
   tally.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   ++tally.cuts;
   tally.pieces += cut.pieces.size();
   tally.slivers += cut.slivers;
   if (cut.pieces.empty()) {
-    ++tally.refused[name_of(cut.status)];
+    ++tally.refused[fracture::name_of(cut.status)];
     return;
   }
-  for (const CutPiece& piece : cut.pieces)
+  for (const fracture::CutPiece& piece : cut.pieces)
     if (!sound(piece.outline)) ++tally.bad;
-  const double error = area_error(made.outline, cut.pieces), area = polygon_moments(made.outline).area;
+  const double error = area_error(made.outline, cut.pieces), area = geometry::polygon_moments(made.outline).area;
   raise(tally.area, error / area);
-  raise(tally.area_over_bound, error / (snap_resolution(made.outline) * perimeter(made.outline)));
+  raise(tally.area_over_bound, error / (fracture::snap_resolution(made.outline) * perimeter(made.outline)));
   raise(tally.overlap, deepest_overlap(cut.pieces));
-  if (cut.status == CutStatus::cut) cut_floe_too(made, random, tally);
+  if (cut.status == fracture::CutStatus::cut) cut_floe_too(made, random, tally);
 }
 
 void print(const char* name, const Tally& t) {

@@ -17,11 +17,11 @@ using namespace nilas;
 
 struct Kind {
   const char* name;
-  std::function<FieldResult(int floes)> make;
+  std::function<field::FieldResult(int floes)> make;
 };
 
-PackedSpec polygons(int floes) {
-  PackedSpec spec;
+field::PackedSpec polygons(int floes) {
+  field::PackedSpec spec;
   spec.concentration = 0.95;
   spec.overlap_tolerance = 0;
   const double area = floes * (spec.mean * spec.mean + spec.sd * spec.sd) / spec.concentration;
@@ -30,8 +30,8 @@ PackedSpec polygons(int floes) {
 }
 
 /// Squares of 0.99 of the pitch at which a whole number of them fills the region.
-PackedSpec squares(int floes) {
-  PackedSpec spec;
+field::PackedSpec squares(int floes) {
+  field::PackedSpec spec;
   spec.concentration = 0.98;
   spec.overlap_tolerance = 0;
   spec.shape = FloeShape::square;
@@ -46,7 +46,7 @@ void measure(const Kind& kind, const std::vector<int>& sizes) {
   double last_floes = 0, last_seconds = 0;
   for (const int size : sizes) {
     const std::clock_t start = std::clock();
-    const FieldResult field = kind.make(size);
+    const field::FieldResult field = kind.make(size);
     const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
     const auto floes = static_cast<double>(field.floes.size());
     std::printf("%-22s %7.0f  %.4f  %8.2f", kind.name, floes, field.concentration, seconds);
@@ -65,8 +65,8 @@ int main(int argc, char** argv) {
   for (int k = 1; k < argc; ++k) sizes.push_back(std::atoi(argv[k]));
   if (sizes.empty()) sizes = {1000, 3000, 10000};
   std::printf("field                    floes  conc.   seconds  exponent\n");
-  measure({"packed polygons", [](int floes) { return pack_field(polygons(floes)); }}, sizes);
-  measure({"voronoi", [](int floes) { return voronoi_field(polygons(floes)); }}, sizes);
-  measure({"packed equal squares", [](int floes) { return pack_field(squares(floes)); }}, sizes);
+  measure({"packed polygons", [](int floes) { return field::pack_field(polygons(floes)); }}, sizes);
+  measure({"voronoi", [](int floes) { return field::voronoi_field(polygons(floes)); }}, sizes);
+  measure({"packed equal squares", [](int floes) { return field::pack_field(squares(floes)); }}, sizes);
   return 0;
 }

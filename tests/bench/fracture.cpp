@@ -34,17 +34,17 @@ void print_call(const char* name, const Call& call) {
 
 int main() {
   using namespace nilas;
-  print_construction("EdgeLoad", [] { EdgeLoad(0.3); });
+  print_construction("EdgeLoad", [] { fracture::EdgeLoad(0.3); });
   print_construction("WedgeTable", [] { WedgeTable(TipLoad::pressure); });
-  print_construction("SplittingTable", [] { SplittingTable(); });
-  const EdgeLoad edge(0.3);
-  const WedgeTable wedge(TipLoad::pressure);
-  const SplittingTable splitting;
+  print_construction("SplittingTable", [] { fracture::SplittingTable(); });
+  const fracture::EdgeLoad edge(0.3);
+  const fracture::WedgeTable wedge(fracture::TipLoad::pressure);
+  const fracture::SplittingTable splitting;
   print_call("EdgeLoad::stress_factor", [&](double x) { return edge.stress_factor(x); });
-  print_call("wedge_failure_load", [&](double x) { return wedge_failure_load(wedge, x, 0.8, 1, 5e5); });
-  print_call("bending_radius", [&](double x) { return bending_radius(wedge, x, 14); });
+  print_call("wedge_failure_load", [&](double x) { return fracture::wedge_failure_load(wedge, x, 0.8, 1, 5e5); });
+  print_call("bending_radius", [&](double x) { return fracture::bending_radius(wedge, x, 14); });
   print_call("SplittingTable::H", [&](double x) { return splitting.H(x, 2 * x); });
   print_call("splitting_force, short starter", [&](double x) {
-    return splitting_force(splitting, {100, 200 * x + 20, 1, 115e3}, 0.2);
+    return fracture::splitting_force(splitting, {100, 200 * x + 20, 1, 115e3}, 0.2);
   });
 }

@@ -28,17 +28,17 @@ constexpr double k_mm = 1e-3;
 /// A shape and the deviation of its convex pieces in docs/evidence/validation-contacts.md, rounded up.
 struct Shape {
   const char* name;
-  std::vector<TriangleMesh> shells;
+  std::vector<geometry::TriangleMesh> shells;
   double deviation;  ///< Largest deviation of the pieces from the mesh [m].
 };
 
 std::vector<Shape> shapes() {
   return {
-      {"wedge", {wedge_mesh()}, 0.01 * k_mm},
-      {"cone", {cone_mesh(1, 1.5, 24)}, 0.01 * k_mm},
-      {"moon-pool", {moonpool_mesh()}, 0.02 * k_mm},
-      {"semi-submersible", semisubmersible_shells(64), 0.01 * k_mm},
-      {"ship-with-bulb", {ship_mesh(120, 36), bulb_mesh({5.9, 0, 0.12}, {0.5, 0.09, 0.1}, 16)}, 5.7 * k_mm},
+      {"wedge", {mesh::wedge_mesh()}, 0.01 * k_mm},
+      {"cone", {mesh::cone_mesh(1, 1.5, 24)}, 0.01 * k_mm},
+      {"moon-pool", {mesh::moonpool_mesh()}, 0.02 * k_mm},
+      {"semi-submersible", mesh::semisubmersible_shells(64), 0.01 * k_mm},
+      {"ship-with-bulb", {mesh::ship_mesh(120, 36), mesh::bulb_mesh({5.9, 0, 0.12}, {0.5, 0.09, 0.1}, 16)}, 5.7 * k_mm},
   };
 }
 
@@ -68,26 +68,26 @@ class Stages {
 
 /// Writes the shells into one file, as a drawing program exports them, and returns its path.
 std::filesystem::path written(const Shape& shape, const std::filesystem::path& folder) {
-  SolidBuilder all;
+  mesh::SolidBuilder all;
   for (const auto& shell : shape.shells)
-    for (const auto& c : corners_of(shell)) all.triangle(c[0], c[1], c[2]);
+    for (const auto& c : mesh::corners_of(shell)) all.triangle(c[0], c[1], c[2]);
   const std::filesystem::path file = folder / (std::string(shape.name) + ".stl");
-  write_stl(all.take(), file);
+  geometry::write_stl(all.take(), file);
   return file;
 }
 
 /// Prints a row. False where the shape takes too long or its pieces deviate more than recorded.
 bool measure(const Shape& shape, const std::filesystem::path& folder, int threads) {
   const auto file = written(shape, folder);
-  NewHullFolder out(folder / shape.name, true);
+  hull::NewHullFolder out(folder / shape.name, true);
   Stages stages;
-  HullPreparation how;
+  commands::HullPreparation how;
   how.threads = threads;
   how.stage_done = [&](const char* stage) { stages.done(stage); };
-  const PreparedHull made = prepare_hull(file, how, out);
-  const auto report = hull_report(made);
+  const commands::PreparedHull made = commands::prepare_hull(file, how, out);
+  const auto report = commands::hull_report(made);
   stages.done("report");
-  draw_hull(made.hull, waterline_level(made.hull.fluid, made.draught), out.staging());
+  commands::draw_hull(made.hull, commands::waterline_level(made.hull.fluid, made.draught), out.staging());
   stages.done("pictures");
   const std::size_t triangles = made.hull.fluid.triangles.size();
   const double deviation = made.deviation->largest;

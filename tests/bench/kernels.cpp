@@ -13,16 +13,16 @@ namespace {
 using namespace nilas;
 
 /// n x n square floes that overlap by 1 mm, so that every neighbour is a contact.
-Bodies touching_grid(int n) {
+bodies::Bodies touching_grid(int n) {
   constexpr double k_size = 0.5, k_thickness = 0.05, k_overlap = 1e-3, k_density = 920;
   const double half = 0.5 * k_size;
-  const auto shape = std::make_shared<const Shape>(
-      prism_shape({{-half, -half}, {half, -half}, {half, half}, {-half, half}}, k_thickness));
-  const MassProperties mass = prism_properties(shape->outline, k_thickness, k_density);
-  Bodies bodies;
+  const auto shape = std::make_shared<const geometry::Shape>(
+      geometry::prism_shape({{-half, -half}, {half, -half}, {half, half}, {-half, half}}, k_thickness));
+  const geometry::MassProperties mass = geometry::prism_properties(shape->outline, k_thickness, k_density);
+  bodies::Bodies bodies;
   for (int i = 0; i < n * n; ++i) {
-    BodySpec spec;
-    spec.kind = BodyKind::floe;
+    bodies::BodySpec spec;
+    spec.kind = bodies::BodyKind::floe;
     spec.material = "ice";
     spec.shape = shape;
     spec.mass = mass.mass;
@@ -35,24 +35,24 @@ Bodies touching_grid(int n) {
 }
 
 void detect(benchmark::State& state) {
-  const Bodies bodies = touching_grid(static_cast<int>(state.range(0)));
-  ContactDetector detector;
+  const bodies::Bodies bodies = touching_grid(static_cast<int>(state.range(0)));
+  detect::ContactDetector detector;
   for (auto _ : state) benchmark::DoNotOptimize(detector.detect(bodies, 1e-3));
   state.SetItemsProcessed(state.iterations() * bodies.size());
 }
 /// Detection by a new detector, without memory.
 void detect_at_first(benchmark::State& state) {
-  const Bodies bodies = touching_grid(static_cast<int>(state.range(0)));
-  for (auto _ : state) benchmark::DoNotOptimize(ContactDetector().detect(bodies, 1e-3));
+  const bodies::Bodies bodies = touching_grid(static_cast<int>(state.range(0)));
+  for (auto _ : state) benchmark::DoNotOptimize(detect::ContactDetector().detect(bodies, 1e-3));
   state.SetItemsProcessed(state.iterations() * bodies.size());
 }
 BENCHMARK(detect_at_first)->Arg(16)->Arg(32)->Arg(64)->Unit(benchmark::kMillisecond);
 BENCHMARK(detect)->Arg(16)->Arg(32)->Arg(64)->Unit(benchmark::kMillisecond);
 
 void water(benchmark::State& state) {
-  const Bodies bodies = touching_grid(static_cast<int>(state.range(0)));
-  const auto buoyancy = make_buoyancy({}, 1), drag = make_drag({}, {}, 1);
-  Wrenches loads(static_cast<std::size_t>(bodies.size()));
+  const bodies::Bodies bodies = touching_grid(static_cast<int>(state.range(0)));
+  const auto buoyancy = hydro::make_buoyancy({}, 1), drag = hydro::make_drag({}, {}, 1);
+  bodies::Wrenches loads(static_cast<std::size_t>(bodies.size()));
   for (auto _ : state) {
     buoyancy->add_forces(bodies, 0, loads);
     drag->add_forces(bodies, 0, loads);
@@ -63,21 +63,21 @@ BENCHMARK(water)->Arg(16)->Arg(32)->Arg(64)->Unit(benchmark::kMillisecond);
 
 /// Assembly and solve. Arguments: floes along a side, sweeps.
 void solve(benchmark::State& state) {
-  const Bodies bodies = touching_grid(static_cast<int>(state.range(0)));
-  FrictionTable friction;
+  const bodies::Bodies bodies = touching_grid(static_cast<int>(state.range(0)));
+  contact::FrictionTable friction;
   friction.add("ice", "ice", {0.3, 0.3, 0});
-  const auto points = ContactDetector().detect(bodies, 1e-3);
-  AssemblySettings settings;
+  const auto points = detect::ContactDetector().detect(bodies, 1e-3);
+  contact::AssemblySettings settings;
   settings.h = 0.01;
   settings.law = Law::pyramid;
-  const Wrenches loads(static_cast<std::size_t>(bodies.size()));
-  SolverSettings sweeps;
+  const bodies::Wrenches loads(static_cast<std::size_t>(bodies.size()));
+  contact::SolverSettings sweeps;
   sweeps.tolerance = 0;
   sweeps.max_iterations = static_cast<int>(state.range(1));
-  const auto solver = find_solver("pgs").make(sweeps);
+  const auto solver = contact::find_solver("pgs").make(sweeps);
   for (auto _ : state) {
-    const AssembledContacts contacts =
-        assemble(bodies, loads, points, friction.resolve(bodies.materials), settings, {});
+    const contact::AssembledContacts contacts =
+        contact::assemble(bodies, loads, points, friction.resolve(bodies.materials), settings, {});
     benchmark::DoNotOptimize(solver->solve(contacts.problem, {}));
   }
   state.SetItemsProcessed(state.iterations() * static_cast<int>(points.size()) * state.range(1));

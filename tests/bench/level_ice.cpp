@@ -50,29 +50,29 @@ double aside(std::uint64_t twin) {
   return twin == 0 ? 0 : random.uniform(-k_moved, k_moved);
 }
 
-Scene scene_of(const Setting& setting, std::uint64_t twin) {
+scene::Scene scene_of(const Setting& setting, std::uint64_t twin) {
   const auto text = [](double x) { return std::to_string(x); };
-  Scene scene = read_scene(std::string(NILAS_SOURCE_DIR) + "/apps/scenes/level-ice.xml",
-                           {{"ice/@thickness", text(setting.thickness)},
-                            {"vessel/carriage/@speed", text(setting.speed)},
-                            {"time/@step", text(setting.step)}});
+  scene::Scene scene = scene::read_scene(std::string(NILAS_SOURCE_DIR) + "/apps/scenes/level-ice.xml",
+                                         {{"ice/@thickness", text(setting.thickness)},
+                                          {"vessel/carriage/@speed", text(setting.speed)},
+                                          {"time/@step", text(setting.step)}});
   scene.vessel->position.y() += aside(twin);
   scene.vessel->hull.clear();
   scene.vessel->generate = {HullKind::icebreaker, {{"triangles", setting.triangles}}};
   return scene;
 }
 
-double speed_of_fastest_floe(const Bodies& bodies) {
+double speed_of_fastest_floe(const bodies::Bodies& bodies) {
   double fastest = 0;
   for (std::size_t b = 0; b < bodies.id.size(); ++b)
-    if (bodies.kind[b] == BodyKind::floe) fastest = std::max(fastest, bodies.v_GB[b].norm());
+    if (bodies.kind[b] == bodies::BodyKind::floe) fastest = std::max(fastest, bodies.v_GB[b].norm());
   return fastest;
 }
 
 /// Runs to the scene's end, or until the ship has moved this distance in the ice.
-Course run(const Scene& scene, double way_in_ice, double way_before_load) {
+Course run(const scene::Scene& scene, double way_in_ice, double way_before_load) {
   WarningCounts warnings(make_logger("off", ""));
-  Simulation simulation(scene, 1, warnings);
+  sim::Simulation simulation(scene, 1, warnings);
   const double start = simulation.bodies().p_GB[simulation.vessel_index()].x();
   const auto begun = std::chrono::steady_clock::now();
   Course course;
@@ -83,7 +83,7 @@ Course run(const Scene& scene, double way_in_ice, double way_before_load) {
   long steps_with_breaks = 0;
   course.floes_over = {static_cast<double>(simulation.info().floes)};
   for (double way = 0; steps < last && (first_touch < 0 || way < first_touch + way_in_ice); ++steps) {
-    const StepRecord record = simulation.step();
+    const sim::StepRecord record = simulation.step();
     way = simulation.bodies().p_GB[simulation.vessel_index()].x() - start;
     const double against = -record.vessel->contact.force.x();
     if (first_touch < 0 && against > 0) first_touch = way;
@@ -93,17 +93,17 @@ Course run(const Scene& scene, double way_in_ice, double way_before_load) {
       ++measured;
     }
     if (!record.broken.empty()) {
-      ms_with_breaks += record.ms[static_cast<std::size_t>(Phase::fracture)];
+      ms_with_breaks += record.ms[static_cast<std::size_t>(sim::Phase::fracture)];
       ++steps_with_breaks;
     }
     if ((steps + 1) * k_quarters >= static_cast<long>(course.floes_over.size()) * last)
       course.floes_over.push_back(record.floes);
-    for (const FractureEvent& event : record.broken) {
+    for (const fracture::FractureEvent& event : record.broken) {
       course.events += 1;
       course.radius += event.radius;
     }
     course.fastest = std::max(course.fastest, speed_of_fastest_floe(simulation.bodies()));
-    course.ms_breaking += record.ms[static_cast<std::size_t>(Phase::fracture)];
+    course.ms_breaking += record.ms[static_cast<std::size_t>(sim::Phase::fracture)];
     course.imbalance = std::max(course.imbalance, std::abs(record.ledger.imbalance));
     course.scale = 0;
     for (const double work : record.ledger.works) course.scale += std::abs(work);
@@ -121,9 +121,9 @@ Course run(const Scene& scene, double way_in_ice, double way_before_load) {
   return course;
 }
 
-double lindqvist(const Scene& scene, const Setting& setting) {
-  const HullForm form = hull_form("icebreaker", {});
-  LevelIce ice;
+double lindqvist(const scene::Scene& scene, const Setting& setting) {
+  const hull::HullForm form = hull::hull_form("icebreaker", {});
+  fracture::LevelIce ice;
   ice.thickness = setting.thickness;
   ice.flexural_strength = scene.fracture->flexural_strength;
   ice.youngs_modulus = scene.ice->youngs_modulus;
@@ -131,8 +131,8 @@ double lindqvist(const Scene& scene, const Setting& setting) {
   ice.density = scene.ice->density;
   ice.water_density = scene.water->density;
   ice.friction = 0.1;
-  return lindqvist_resistance({form.length, form.beam, form.draught, form.stem_angle, form.entrance_angle}, ice,
-                              setting.speed)
+  return fracture::lindqvist_resistance({form.length, form.beam, form.draught, form.stem_angle, form.entrance_angle},
+                                        ice, setting.speed)
       .total;
 }
 
@@ -176,7 +176,7 @@ void draw_loads(const std::filesystem::path& folder, const std::vector<Point>& p
         "$h{} using 1:4 with lines lc {} title '{:.0f} mm, Lindqvist'",
         lines.empty() ? "plot " : ", ", colour, colour, 1000 * thickness, colour, colour, 1000 * thickness);
   }
-  plot(folder, script + lines + "\n");
+  output::plot(folder, script + lines + "\n");
   std::printf("\npicture: %s\n", (folder / "level-ice.png").c_str());
 }
 
@@ -184,7 +184,7 @@ std::vector<Point> level_ice(const std::vector<Setting>& rows, int twins, int th
   std::vector<Point> points;
   std::printf("| h [mm] | v [m/s] | step [s] | triangles | mean load [N] | Lindqvist [N] | ratio |%s", k_rest_of_head);
   std::printf("|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
-  const double bow = hull_form("icebreaker", {}).bow_length;
+  const double bow = hull::hull_form("icebreaker", {}).bow_length;
   for (const Setting& row : rows) {
     const std::vector<Course> courses =
         with_twins(twins, threads, [&](std::uint64_t twin) { return run(scene_of(row, twin), bow + k_measured, bow); });
@@ -204,8 +204,8 @@ void broken_field(int twins, int threads) {
   std::printf("|---|---|---|---|---|---|---|---|---|---|---|---|\n");
   for (const char* breakable : {"false", "true"}) {
     const std::vector<Course> courses = with_twins(twins, threads, [&](std::uint64_t twin) {
-      Scene scene = read_scene(std::string(NILAS_SOURCE_DIR) + "/apps/scenes/metrikin-2014.xml",
-                               {{"ice/field/@breakable", breakable}});
+      scene::Scene scene = scene::read_scene(std::string(NILAS_SOURCE_DIR) + "/apps/scenes/metrikin-2014.xml",
+                                             {{"ice/field/@breakable", breakable}});
       scene.vessel->position.y() += aside(twin);
       return run(scene, 1e9, 0);
     });

@@ -121,7 +121,7 @@ void factors() {
       line += fmt::format(" {:>6.1f} {:>6.1f} {:>7.0e}", plan, factor, left);
     };
     {
-      std::optional<BlockCholesky> own;
+      std::optional<solvers::BlockCholesky> own;
       const double plan = milliseconds([&] { own.emplace(p.matrix); });
       const double factor = milliseconds([&] { own->factor(inverse, added); });
       add(plan, factor, residual(own->solve_unrefined(b)));
@@ -135,7 +135,7 @@ void factors() {
     line += " |";
     {
       // A plan of the same pattern is kept, so that a new object is needed for each planning.
-      std::optional<BlockLu> own;
+      std::optional<solvers::BlockLu> own;
       const double plan = milliseconds([&] {
         own.emplace();
         own->analyse(p.row_start, p.column);
@@ -158,8 +158,8 @@ void factors() {
 /// A closed block of 2 x 2 m over a flat lower side. Its upper side is a grid of n x n squares, two triangles each, at
 /// height(x, y) over the lower side; the rim stays at 1 m.
 template <class Height>
-TriangleMesh block_under(int n, const Height& height) {
-  TriangleMesh mesh;
+geometry::TriangleMesh block_under(int n, const Height& height) {
+  geometry::TriangleMesh mesh;
   const int row = n + 1;
   for (int level = 0; level < 2; ++level)
     for (int j = 0; j <= n; ++j)
@@ -196,13 +196,13 @@ void parts() {
              "tolerance", "deviation [mm]", "[ms]", "Nef parts", "[ms]");
   for (const bool both : {false, true})
     for (const int n : {4, 8, 16}) {
-      const TriangleMesh mesh = block_under(n, [&](double x, double y) {
+      const geometry::TriangleMesh mesh = block_under(n, [&](double x, double y) {
         const auto hollow = [](double t) { return std::cos(0.5 * k_pi * t); };
         return 1 - 0.5 * hollow(x) * (both ? hollow(y) : 1);
       });
-      ConvexParts own;
+      mesh::ConvexParts own;
       constexpr double k_tolerance = 20e-3;
-      const double own_ms = milliseconds([&] { own = decompose(mesh, {.tolerance = k_tolerance}); });
+      const double own_ms = milliseconds([&] { own = mesh::decompose(mesh, {.tolerance = k_tolerance}); });
       CGAL::Surface_mesh<Kernel::Point_3> surface;
       for (const Vec3& p : mesh.vertices) surface.add_vertex(Kernel::Point_3(p.x(), p.y(), p.z()));
       for (const auto& t : mesh.triangles)
@@ -239,7 +239,7 @@ void spline() {
     }
     const std::filesystem::path file = std::filesystem::temp_directory_path() / "nilas_library_twins.csv";
     std::ofstream(file) << csv;
-    const CarriageMotion own = CarriageMotion::path(Vec3::Zero(), 0, file.string());
+    const vessel::CarriageMotion own = vessel::CarriageMotion::path(Vec3::Zero(), 0, file.string());
     std::filesystem::remove(file);
     try {
       const auto library =

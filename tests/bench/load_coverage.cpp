@@ -31,30 +31,30 @@ struct Course {
   double share_short = 0;  // Share of the steps whose solution missed the tolerance.
 };
 
-Said said(const LoadError& error, const std::string& channel) {
-  for (const ChannelError& c : error.channels)
+Said said(const output::LoadError& error, const std::string& channel) {
+  for (const output::ChannelError& c : error.channels)
     if (c.channel == channel) return {c.mean, c.solver, c.chaos.value_or(0), c.total, error.solver_at_least};
   return {};
 }
 
-Course run(const std::string& file, double until, const Overrides& settings, std::uint64_t twin) {
-  Scene scene = read_scene(file, settings);
+Course run(const std::string& file, double until, const scene::Overrides& settings, std::uint64_t twin) {
+  scene::Scene scene = scene::read_scene(file, settings);
   scene.twin = twin;
   scene.time.end = until;
   WarningCounts warnings(make_logger("off", ""));
-  Simulation simulation(scene, 1, warnings);
-  RunStatistics statistics(simulation.info());
-  const VesselChannels channels(simulation.info());
+  sim::Simulation simulation(scene, 1, warnings);
+  output::RunStatistics statistics(simulation.info());
+  const output::VesselChannels channels(simulation.info());
   statistics.start(scene.time.start, simulation.initial_ledger());
   const long steps = std::lround((until - scene.time.start) / scene.time.step);
   std::vector<double> values;
   for (long k = 0; k < steps; ++k) {
-    const StepRecord record = simulation.step();
+    const sim::StepRecord record = simulation.step();
     values.clear();
     channels.read(record.vessel.value(), values);
     statistics.add(record, values);
   }
-  const LoadError error = statistics.load_error(nullptr).value();
+  const output::LoadError error = statistics.load_error(nullptr).value();
   return {said(error, "ice_resistance_N"), said(error, "ice_side_N"),
           static_cast<double>(statistics.shortfalls().unconverged_steps) / static_cast<double>(steps)};
 }
@@ -103,7 +103,7 @@ int main(int argc, char** argv) {
   const std::string file = argv[1];
   const double until = std::atof(argv[2]);
   const int count = std::atoi(argv[3]);
-  std::vector<std::pair<std::string, Overrides>> settings{{"as shipped", {}}};
+  std::vector<std::pair<std::string, scene::Overrides>> settings{{"as shipped", {}}};
   for (int k = 4; k < argc; ++k) {
     const std::string word = argv[k];
     const auto cut = word.find('=');

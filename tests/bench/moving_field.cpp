@@ -47,14 +47,14 @@ std::vector<Vec2> MovingField::cell(int i, int j, RandomStream& random) const {
 }
 
 void MovingField::add_floe(std::vector<Vec2> outline, RandomStream& random) {
-  const PolygonMoments moments = polygon_moments(outline);
+  const geometry::PolygonMoments moments = geometry::polygon_moments(outline);
   for (Vec2& x : outline) x = k_shrink * (x - moments.centroid);
   concentration_ += k_shrink * k_shrink * moments.area;
-  BodySpec spec;
+  bodies::BodySpec spec;
   spec.name = "floe" + std::to_string(bodies_.size());
-  spec.kind = BodyKind::floe;
+  spec.kind = bodies::BodyKind::floe;
   spec.material = "ice";
-  spec.shape = std::make_shared<const Shape>(prism_shape(outline, k_thickness));
+  spec.shape = std::make_shared<const geometry::Shape>(geometry::prism_shape(outline, k_thickness));
   spec.mass = 920 * k_thickness * moments.area;
   bodies_.add(spec);
   Path path;

@@ -16,7 +16,7 @@ namespace nilas::bench {
 class MovingField {
  public:
   explicit MovingField(int floes);
-  const Bodies& bodies() const { return bodies_; }
+  const bodies::Bodies& bodies() const { return bodies_; }
   double concentration() const { return concentration_; }
   /// Sets poses and velocities at time t [s].
   void move_to(double t);
@@ -29,7 +29,7 @@ class MovingField {
   std::vector<Vec2> cell(int i, int j, RandomStream& random) const;
   void add_floe(std::vector<Vec2> outline, RandomStream& random);
 
-  Bodies bodies_;
+  bodies::Bodies bodies_;
   std::vector<Path> paths_;
   std::vector<Vec2> corners_;  ///< Corners of the grid, row by row.
   int columns_ = 0;

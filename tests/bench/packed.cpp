@@ -36,8 +36,8 @@ Basin basin_for(int floes) {
   return {(area + k_stem * k_beam) / width, 0.5 * width};
 }
 
-FieldResult make_floes(const Basin& basin) {
-  PackedSpec spec;
+field::FieldResult make_floes(const Basin& basin) {
+  field::PackedSpec spec;
   spec.low = {0, -basin.half_width};
   spec.high = {basin.x1, basin.half_width};
   spec.concentration = k_concentration;
@@ -52,7 +52,7 @@ FieldResult make_floes(const Basin& basin) {
   spec.keep_out = {
       {{k_stem - k_length, -b}, {k_stem - k_bow, -b}, {k_stem, 0}, {k_stem - k_bow, b}, {k_stem - k_length, b}}};
   spec.keep_out_margin = 0.01;
-  return pack_field(spec);
+  return field::pack_field(spec);
 }
 
 void write_scene(const fs::path& file, const Basin& basin, const std::string& field) {
@@ -86,7 +86,7 @@ void write_scene(const fs::path& file, const Basin& basin, const std::string& fi
   out << "</scene>\n";
 }
 
-void write_for_peers(const fs::path& file, const Basin& basin, const FieldResult& field) {
+void write_for_peers(const fs::path& file, const Basin& basin, const field::FieldResult& field) {
   std::ofstream out(file);
   out.precision(17);
   out << k_thickness << " " << -k_length << " " << basin.x1 << " " << -basin.half_width << " " << basin.half_width
@@ -104,9 +104,9 @@ void write_for_peers(const fs::path& file, const Basin& basin, const FieldResult
 int write(int floes, const fs::path& folder) {
   fs::create_directories(folder);
   const Basin basin = basin_for(floes);
-  const FieldResult field = make_floes(basin);
+  const field::FieldResult field = make_floes(basin);
   const std::string stem = "packed-" + std::to_string(floes);
-  write_field(field, folder / (stem + ".geojson"));
+  field::write_field(field, folder / (stem + ".geojson"));
   write_scene(folder / (stem + ".xml"), basin, stem + ".geojson");
   write_for_peers(folder / (stem + ".txt"), basin, field);
   std::fprintf(stderr, "%s: %zu floes, concentration %.3f\n", stem.c_str(), field.floes.size(), field.concentration);
@@ -115,26 +115,27 @@ int write(int floes, const fs::path& folder) {
 
 int run(const fs::path& folder, const std::string& floes, const std::string& sweeps) {
   const bool cold = sweeps == "cold", exact = cold || sweeps == "0";
-  Overrides changes{{"contact/@max_iterations", exact ? "1000" : sweeps}};
+  scene::Overrides changes{{"contact/@max_iterations", exact ? "1000" : sweeps}};
   if (exact)
     changes.insert(changes.end(),
                    {{"contact/@solver", "auto"}, {"contact/@law", "coulomb"}, {"contact/@tolerance", "1e-6"}});
   if (cold) changes.emplace_back("contact/@warm_start", "false");
-  const Scene scene = read_scene(folder / ("packed-" + floes + ".xml"), changes);
+  const scene::Scene scene = scene::read_scene(folder / ("packed-" + floes + ".xml"), changes);
   WarningCounts warnings(make_logger("off", ""));
-  Simulation simulation(scene, 1, warnings);
+  sim::Simulation simulation(scene, 1, warnings);
   std::vector<peers::Parts> window;
   std::vector<double> natural_maps;
   double contacts = 0, penetration = 0;
   for (int n = 0; n < peers::k_last_measured; ++n) {
     const double t0 = peers::now_ms();
-    const StepRecord record = simulation.step();
+    const sim::StepRecord record = simulation.step();
     const double total = peers::now_ms() - t0;
     if (n < peers::k_first_measured) continue;
-    const auto ms = [&](Phase phase) { return record.ms[phase]; };
-    window.push_back({ms(Phase::detection),
-                      ms(Phase::assembly) + ms(Phase::solver) + ms(Phase::integration) + ms(Phase::output),
-                      ms(Phase::hydro), total});
+    const auto ms = [&](sim::Phase phase) { return record.ms[phase]; };
+    window.push_back(
+        {ms(sim::Phase::detection),
+         ms(sim::Phase::assembly) + ms(sim::Phase::solver) + ms(sim::Phase::integration) + ms(sim::Phase::output),
+         ms(sim::Phase::hydro), total});
     natural_maps.push_back(record.residuals.natural_map_m_s);
     contacts += record.contacts;
     penetration = std::max(penetration, record.penetration_max);

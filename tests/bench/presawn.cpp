@@ -25,16 +25,16 @@ struct Course {
 
 /// Runs a scene. The depths are measured in every step of the unperturbed field, and every 0.05 s of a perturbed one.
 Course run(char letter, int triangles, std::uint64_t seed) {
-  const Scene scene = test::presawn(letter, seed, k_moved, triangles);
+  const scene::Scene scene = test::presawn(letter, seed, k_moved, triangles);
   WarningCounts warnings(make_logger("off", ""));
-  Simulation simulation(scene, 1, warnings);
+  sim::Simulation simulation(scene, 1, warnings);
   const test::PresawnOverlap overlap(simulation);
   const long look = seed == 0 ? 1 : std::lround(0.05 / scene.time.step);
   Course course;
   long loaded = 0;
   for (const long steps = std::lround(scene.time.end / scene.time.step); simulation.steps() < steps;) {
-    const StepRecord record = simulation.step();
-    const VesselRecord& vessel = *record.vessel;
+    const sim::StepRecord record = simulation.step();
+    const sim::VesselRecord& vessel = *record.vessel;
     course.penetration = std::max(course.penetration, record.penetration_max);
     if (loaded > 0 || !vessel.contact.force.isZero(0)) {
       ++loaded;

@@ -39,11 +39,11 @@ struct Setting {
 };
 
 Course run(char letter, const Setting& setting, double end, double moved) {
-  Scene scene = moved > 0 ? test::presawn(letter, 1, moved) : test::shipped_presawn(letter);
+  scene::Scene scene = moved > 0 ? test::presawn(letter, 1, moved) : test::shipped_presawn(letter);
   scene.contact.solver = choice_named<SolverName>(setting.solver);
   scene.contact.tolerance = setting.tolerance;
   WarningCounts warnings(make_logger("off", ""));
-  Simulation simulation(scene, 1, warnings);
+  sim::Simulation simulation(scene, 1, warnings);
   const double near = 1e-3;  // Larger than the perturbation of the pieces.
   const test::MirrorImages images(simulation.bodies(), near);
   Course course;
@@ -51,7 +51,7 @@ Course run(char letter, const Setting& setting, double end, double moved) {
   const long look = std::lround(1 / (k_looks_per_second * scene.time.step));
   double worst = 0;
   for (long k = 1; k <= course.steps; ++k) {
-    const StepRecord record = simulation.step();
+    const sim::StepRecord record = simulation.step();
     for (const double ms : record.ms) course.seconds += 1e-3 * ms;
     course.misses += record.solver_short ? 1 : 0;
     course.load += record.vessel->contact.force / static_cast<double>(course.steps);

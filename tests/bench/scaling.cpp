@@ -19,15 +19,15 @@ using namespace nilas;
 
 struct Run {
   double seconds = 0, law_map = 0;
-  SolveStatus status = SolveStatus::numerical_error;
+  contact::SolveStatus status = contact::SolveStatus::numerical_error;
 };
 
-Run solve(const ContactProblem& problem, const std::string& name, double tolerance) {
-  const auto solver = find_solver(name).make({.tolerance = tolerance, .max_iterations = 1000000});
+Run solve(const contact::ContactProblem& problem, const std::string& name, double tolerance) {
+  const auto solver = contact::find_solver(name).make({.tolerance = tolerance, .max_iterations = 1000000});
   const auto start = std::chrono::steady_clock::now();
-  const ContactSolution solution = solver->solve(problem, {});
+  const contact::ContactSolution solution = solver->solve(problem, {});
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return {seconds, measure(problem, solution.r).law_map_m_s, solution.status};
+  return {seconds, contact::measure(problem, solution.r).law_map_m_s, solution.status};
 }
 
 /// Slope of log seconds over log contacts by least squares.
@@ -51,13 +51,13 @@ int main(int argc, char** argv) {
     return 2;
   }
   const double limit = std::atof(argv[1]), tolerance = std::atof(argv[2]);
-  std::vector<ContactProblem> problems;
+  std::vector<contact::ContactProblem> problems;
   for (int k = 3; k < argc; ++k) problems.push_back(bench::channel(std::atoi(argv[k])));
   std::printf("vessel in a channel of floes, cold start, law_map_m_s <= %g, at most %g s\n", tolerance, limit);
   std::printf("%-10s %9s %10s %10s %12s %10s\n", "solver", "contacts", "ms", "us/contact", "law_map_m_s", "MB");
   for (const char* name : {"pgs", "nsgs", "eg", "apgd", "admm", "newton", "ipm", "auto"}) {
     std::vector<std::pair<double, double>> points;
-    for (const ContactProblem& problem : problems) {
+    for (const contact::ContactProblem& problem : problems) {
       Run run;
       double peak = 0;
       const int contacts = problem.num_contacts();
@@ -69,9 +69,9 @@ int main(int argc, char** argv) {
         break;
       }
       std::printf("%-10s %9d %10.2f %10.2f %12.2g %10.0f  %s\n", name, contacts, 1e3 * run.seconds,
-                  1e6 * run.seconds / contacts, run.law_map, 1e-6 * peak, to_string(run.status));
+                  1e6 * run.seconds / contacts, run.law_map, 1e-6 * peak, contact::to_string(run.status));
       std::fflush(stdout);
-      if (run.status == SolveStatus::converged) points.emplace_back(contacts, run.seconds);
+      if (run.status == contact::SolveStatus::converged) points.emplace_back(contacts, run.seconds);
     }
     if (points.size() > 1) std::printf("%-10s exponent %.2f\n", name, exponent(points));
   }

@@ -29,13 +29,13 @@ constexpr int k_iterations = 1000000;
 struct Run {
   double seconds = 0, natural_map = 0;
   int iterations = 0;
-  SolveStatus status = SolveStatus::numerical_error;
+  contact::SolveStatus status = contact::SolveStatus::numerical_error;
 };
 
 struct Subject {
   std::string name;
   std::vector<double> rungs;
-  std::function<std::unique_ptr<ContactSolver>(double rung)> make;
+  std::function<std::unique_ptr<solvers::ContactSolver>(double rung)> make;
 };
 
 std::vector<Subject> subjects() {
@@ -43,31 +43,31 @@ std::vector<Subject> subjects() {
   std::vector<Subject> all;
   for (const char* name : {"auto", "newton", "ipm", "admm", "nsgs", "apgd", "eg", "pgs"})
     all.push_back({name, ours, [name](double rung) {
-                     return find_solver(name).make({.tolerance = rung, .max_iterations = k_iterations});
+                     return contact::find_solver(name).make({.tolerance = rung, .max_iterations = k_iterations});
                    }});
-  for (const SiconosMethod method :
-       {SiconosMethod::nsgs, SiconosMethod::nsn_ac, SiconosMethod::prox, SiconosMethod::admm}) {
-    const SiconosSettings settings{.shared = {.max_iterations = k_iterations}, .method = method};
-    all.push_back({SiconosSolver(settings).name(), theirs, [settings](double rung) {
-                     SiconosSettings own = settings;
+  for (const contact::SiconosMethod method : {contact::SiconosMethod::nsgs, contact::SiconosMethod::nsn_ac,
+                                              contact::SiconosMethod::prox, contact::SiconosMethod::admm}) {
+    const contact::SiconosSettings settings{.shared = {.max_iterations = k_iterations}, .method = method};
+    all.push_back({contact::SiconosSolver(settings).name(), theirs, [settings](double rung) {
+                     contact::SiconosSettings own = settings;
                      own.relative_tolerance = rung;
-                     return std::make_unique<SiconosSolver>(own);
+                     return std::make_unique<contact::SiconosSolver>(own);
                    }});
   }
   return all;
 }
 
-Run time_solver(const FclibProblem& file, const ContactSolver& solver) {
+Run time_solver(const contact::FclibProblem& file, const solvers::ContactSolver& solver) {
   using Clock = std::chrono::steady_clock;
   Run run;
   for (int repeat = 0; repeat < k_repeats; ++repeat) {
-    ContactSolution solution;
+    contact::ContactSolution solution;
     const auto start = Clock::now();
     std::visit([&](const auto& problem) { solution = solver.solve(problem, VecX()); }, file.problem);
     const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
     if (repeat == 0) {
       run = {seconds, 0, solution.iterations, solution.status};
-      std::visit([&](const auto& problem) { run.natural_map = measure(problem, solution.r).natural_map_m_s; },
+      std::visit([&](const auto& problem) { run.natural_map = contact::measure(problem, solution.r).natural_map_m_s; },
                  file.problem);
     }
     run.seconds = std::min(run.seconds, seconds);
@@ -76,13 +76,13 @@ Run time_solver(const FclibProblem& file, const ContactSolver& solver) {
   return run;
 }
 
-void climb(const std::string& name, const FclibProblem& file, const Subject& subject, double limit) {
+void climb(const std::string& name, const contact::FclibProblem& file, const Subject& subject, double limit) {
   for (const double rung : subject.rungs) {
     Run run;
     const auto solve = [&] { return time_solver(file, *subject.make(rung)); };
     const bool done = bench::run_apart(limit * (1 + k_repeats * k_short_run), solve, run) && run.seconds <= limit;
     std::printf("%s,%d,%d,%s,%.0e,%s,%d,%.6g,%.4g\n", name.c_str(), file.num_contacts(), file.num_velocities(),
-                subject.name.c_str(), rung, done ? to_string(run.status) : "time_limit", run.iterations,
+                subject.name.c_str(), rung, done ? contact::to_string(run.status) : "time_limit", run.iterations,
                 done ? run.seconds : limit, done ? run.natural_map : HUGE_VAL);
     std::fflush(stdout);
     if (!done || run.natural_map <= k_enough) return;
@@ -99,7 +99,7 @@ int main(int argc, char** argv) {
   const double limit = std::atof(argv[1]);
   for (int k = 2; k < argc; ++k) {
     const std::filesystem::path path = argv[k];
-    const FclibProblem file = read_fclib(path);
+    const contact::FclibProblem file = contact::read_fclib(path);
     for (const Subject& subject : subjects()) climb(path.stem().string(), file, subject, limit);
     std::fprintf(stderr, "%s: done\n", path.stem().c_str());
   }

@@ -63,7 +63,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   const int threads = std::atoi(argv[2]), rounds = std::atoi(argv[3]);
-  const ContactProblem problem = bench::channel(std::atoi(argv[1]));
+  const contact::ContactProblem problem = bench::channel(std::atoi(argv[1]));
   double sink = 0;
   const Times loop = compare(rounds, threads, [&](int n) { sink += spin(n); });
   std::printf("%d contacts, %d threads, best of %d\n", problem.num_contacts(), threads, rounds);
@@ -74,7 +74,7 @@ int main(int argc, char** argv) {
   for (const char* name : {"nsgs", "eg", "eg-order-free", "apgd"}) {
     VecX r[2];
     const Times times = compare(rounds, threads, [&](int n) {
-      const auto solver = find_solver(name).make({.tolerance = 1e-12, .max_iterations = 600, .threads = n});
+      const auto solver = contact::find_solver(name).make({.tolerance = 1e-12, .max_iterations = 600, .threads = n});
       r[n > 1 ? 1 : 0] = solver->solve(problem, {}).r;
     });
     same = same && r[0] == r[1];

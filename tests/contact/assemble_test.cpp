@@ -9,13 +9,13 @@
 #include "core/base/random.h"
 #include "tests/support/random_vectors.h"
 
-namespace nilas {
+namespace nilas::contact {
 namespace {
 
-int add_floe(Bodies& bodies, const Vec3& p, const Vec3& v, const Vec3& w, Motion motion = Motion::free,
-             const Quat& q = Quat::Identity()) {
-  BodySpec spec;
-  spec.shape = std::make_shared<Shape>();
+int add_floe(bodies::Bodies& bodies, const Vec3& p, const Vec3& v, const Vec3& w,
+             bodies::Motion motion = bodies::Motion::free, const Quat& q = Quat::Identity()) {
+  bodies::BodySpec spec;
+  spec.shape = std::make_shared<geometry::Shape>();
   spec.material = "ice";
   spec.motion = motion;
   spec.mass = 100 + 10 * bodies.size();
@@ -26,8 +26,8 @@ int add_floe(Bodies& bodies, const Vec3& p, const Vec3& v, const Vec3& w, Motion
   return bodies.add(spec);
 }
 
-ContactPoint point(int a, int b, const Vec3& p, const Vec3& n, double gap, std::uint64_t key = 1) {
-  ContactPoint c;
+detect::ContactPoint point(int a, int b, const Vec3& p, const Vec3& n, double gap, std::uint64_t key = 1) {
+  detect::ContactPoint c;
   c.a = a;
   c.b = b;
   c.p = p;
@@ -45,8 +45,8 @@ FrictionTable ice_friction(double restitution = 0) {
 
 /// Four floes in a row, with loads. The middle two touch at (1, 0.2, 0.1).
 struct TwoFloes {
-  Bodies bodies;
-  Wrenches free = Wrenches(4);
+  bodies::Bodies bodies;
+  bodies::Wrenches free = bodies::Wrenches(4);
   FrictionTable friction = ice_friction();
   AssemblySettings settings{.h = 0.01};
 
@@ -59,8 +59,8 @@ struct TwoFloes {
   }
 
   AssembledContacts assemble(double gap, const std::vector<ArticulatedBlock>& articulated = {}) {
-    return nilas::assemble(bodies, free, {point(1, 2, Vec3(1, 0.2, 0.1), Vec3::UnitX(), gap, 77)},
-                           friction.resolve(bodies.materials), settings, articulated);
+    return nilas::contact::assemble(bodies, free, {point(1, 2, Vec3(1, 0.2, 0.1), Vec3::UnitX(), gap, 77)},
+                                    friction.resolve(bodies.materials), settings, articulated);
   }
 };
 
@@ -110,15 +110,16 @@ TEST(Assemble, APointThatCrushesHasItsLimitAndDoesNotBounce) {
   TwoFloes scene;
   scene.friction = ice_friction(0.5);
   scene.settings.stabilisation = {.erp = 0.2};
-  ContactPoint crush = point(1, 2, Vec3(1, 0.2, 0.1), Vec3::UnitX(), 0, 77);
+  detect::ContactPoint crush = point(1, 2, Vec3(1, 0.2, 0.1), Vec3::UnitX(), 0, 77);
   crush.force_limit = 300;
   crush.compliance = 0.002;
-  ContactPoint rigid = crush;
+  detect::ContactPoint rigid = crush;
   rigid.key = 78;
   rigid.force_limit = std::numeric_limits<double>::infinity();
-  const ContactProblem problem = nilas::assemble(scene.bodies, scene.free, {crush, rigid},
-                                                 scene.friction.resolve(scene.bodies.materials), scene.settings, {})
-                                     .problem;
+  const ContactProblem problem =
+      nilas::contact::assemble(scene.bodies, scene.free, {crush, rigid}, scene.friction.resolve(scene.bodies.materials),
+                               scene.settings, {})
+          .problem;
   validate(problem);
   EXPECT_EQ(problem.force_limit[0], 300 * 0.01);
   EXPECT_EQ(problem.compliance[0], 0.002);
@@ -158,7 +159,7 @@ TEST(Assemble, RestitutionReplacesTheGapWhereItWouldClose) {
 
 TEST(Assemble, FixedSideHasNoBlockAndNoVelocity) {
   TwoFloes scene;
-  scene.bodies.motion[1] = Motion::fixed;
+  scene.bodies.motion[1] = bodies::Motion::fixed;
   const AssembledContacts out = scene.assemble(0);
   EXPECT_EQ(out.problem.num_blocks(), 1);
   EXPECT_EQ(out.problem.pairs[0].a, -1);
@@ -171,7 +172,7 @@ TEST(Assemble, FixedSideHasNoBlockAndNoVelocity) {
 TEST(Assemble, ArticulatedSideIsReducedAndItsPrescribedMotionGoesToW) {
   for (const int body : {1, 2}) {
     TwoFloes scene;
-    scene.bodies.motion[body] = Motion::articulated;
+    scene.bodies.motion[body] = bodies::Motion::articulated;
     ArticulatedBlock block;
     ArticulatedBody& moved = block.bodies.emplace_back();
     moved.body = body;
@@ -204,7 +205,7 @@ TEST(Assemble, ArticulatedSideIsReducedAndItsPrescribedMotionGoesToW) {
 
 TEST(Assemble, ABodyWithoutCoordinatesIsPrescribed) {
   TwoFloes scene;
-  scene.bodies.motion[2] = Motion::articulated;
+  scene.bodies.motion[2] = bodies::Motion::articulated;
   ArticulatedBlock carried;
   carried.bodies.resize(1);
   carried.bodies[0].body = 2;
@@ -230,7 +231,7 @@ TEST(Assemble, BodiesOfOneSystemShareABlock) {
   RandomStream random(2, "tree");
   const auto draw = [&](Eigen::Index, Eigen::Index) { return random.normal(); };
   for (const int body : {1, 2}) {
-    scene.bodies.motion[body] = Motion::articulated;
+    scene.bodies.motion[body] = bodies::Motion::articulated;
     block.bodies.push_back({body, MatX::NullaryExpr(6, 3, draw), MatX::NullaryExpr(6, 1, draw)});
   }
   block.mass = Vec3(50, 60, 70).asDiagonal();
@@ -257,15 +258,15 @@ TEST(Assemble, BodiesOfOneSystemShareABlock) {
 }
 
 TEST(Assemble, EachPairHasItsOwnFriction) {
-  Bodies bodies;
+  bodies::Bodies bodies;
   for (int k = 0; k < 3; ++k) add_floe(bodies, Vec3(k, 0, 0), Vec3::Zero(), Vec3::Zero());
   bodies.set_material(2, "steel");
   FrictionTable friction = ice_friction();
   FrictionPair rolling{0.5, 0.4, 0};
   rolling.rolling = 0.01;
   friction.add("ice", "steel", rolling);
-  const Wrenches free(3);
-  std::vector<ContactPoint> points;
+  const bodies::Wrenches free(3);
+  std::vector<detect::ContactPoint> points;
   for (const auto& [a, b] : {std::pair{0, 1}, {0, 2}, {0, 2}, {1, 2}, {0, 1}})
     points.push_back(point(a, b, Vec3(0.5, 0, 0), Vec3::UnitX(), 0, points.size()));
   const ContactProblem problem =
@@ -290,14 +291,14 @@ TEST(Assemble, ImpulsesBalanceInLinearAndAngularMomentum) {
     const double x = random.normal(), y = random.normal(), z = random.normal();
     return Vec3(x, y, z);
   };
-  Bodies bodies;
-  add_floe(bodies, vector(), vector(), vector(), Motion::free, Quat(0.3, 0.4, 0.5, 0.6));
+  bodies::Bodies bodies;
+  add_floe(bodies, vector(), vector(), vector(), bodies::Motion::free, Quat(0.3, 0.4, 0.5, 0.6));
   add_floe(bodies, vector(), vector(), vector());
-  std::vector<ContactPoint> points;
+  std::vector<detect::ContactPoint> points;
   for (std::uint64_t k = 0; k < 6; ++k) points.push_back(point(0, 1, vector(), vector().normalized(), 0, k));
   FrictionTable friction = ice_friction();
   const AssembledContacts out =
-      assemble(bodies, Wrenches(2), points, friction.resolve(bodies.materials), {.h = 0.01}, {});
+      assemble(bodies, bodies::Wrenches(2), points, friction.resolve(bodies.materials), {.h = 0.01}, {});
   for (int c = 0; c < 6; ++c) {
     const Vec3 r = vector();
     const Vec6 on_a = out.problem.jacobian_a(c).transpose() * r, on_b = out.problem.jacobian_b(c).transpose() * r;
@@ -310,14 +311,14 @@ TEST(Assemble, ImpulsesBalanceInLinearAndAngularMomentum) {
 }
 
 TEST(Assemble, ABallBouncesToItsHeight) {
-  Bodies bodies;
-  const int ground = add_floe(bodies, Vec3(0, 0, -1), Vec3::Zero(), Vec3::Zero(), Motion::fixed);
+  bodies::Bodies bodies;
+  const int ground = add_floe(bodies, Vec3(0, 0, -1), Vec3::Zero(), Vec3::Zero(), bodies::Motion::fixed);
   const int ball = add_floe(bodies, Vec3(0, 0, 0.5), Vec3(0, 0, -2), Vec3::Zero());
   FrictionTable friction = ice_friction(0.8);
-  const std::vector<ContactPoint> points{point(ground, ball, Vec3::Zero(), Vec3::UnitZ(), 0.001)};
+  const std::vector<detect::ContactPoint> points{point(ground, ball, Vec3::Zero(), Vec3::UnitZ(), 0.001)};
   const AssembledContacts out =
-      assemble(bodies, Wrenches(2), points, friction.resolve(bodies.materials), {.h = 0.01}, {});
-  const ContactSolution s = PgsSolver({}).solve(out.problem, {});
+      assemble(bodies, bodies::Wrenches(2), points, friction.resolve(bodies.materials), {.h = 0.01}, {});
+  const ContactSolution s = solvers::PgsSolver({}).solve(out.problem, {});
   EXPECT_NEAR(s.v[2], 1.6, 1e-14);
 }
 
@@ -370,4 +371,4 @@ TEST(ContactFrame, MirroredScenesHaveMirroredTangentsToTheBit) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::contact

@@ -7,23 +7,23 @@
 
 #include "core/base/random.h"
 
-namespace nilas {
+namespace nilas::contact {
 namespace {
 
 constexpr double k_step = 0.01;
 
 /// Cubes of 1 m along x, each penetrating its left neighbour by the depths given; 0 is a fixed wall.
 struct Row {
-  Bodies bodies;
-  std::vector<ContactPoint> points;
+  bodies::Bodies bodies;
+  std::vector<detect::ContactPoint> points;
   AssembledContacts contacts;
   CorrectionSettings settings{.h = k_step, .erp = 0.2, .slop = 0.001, .max_speed = 1};
 
   explicit Row(const std::vector<double>& depths, const std::vector<ArticulatedBlock>& articulated = {}) {
     double x = 0;
-    add(x, Motion::fixed);
+    add(x, bodies::Motion::fixed);
     for (std::size_t k = 0; k < depths.size(); ++k) {
-      ContactPoint c;
+      detect::ContactPoint c;
       c.a = static_cast<int>(k);
       c.b = static_cast<int>(k) + 1;
       c.p = Vec3(x + 0.5, 0, 0);
@@ -32,19 +32,19 @@ struct Row {
       points.push_back(c);
       x += 1 - depths[k];
       const bool moved = !articulated.empty() && articulated[0].bodies[0].body == c.b;
-      add(x, moved ? Motion::articulated : Motion::free);
+      add(x, moved ? bodies::Motion::articulated : bodies::Motion::free);
     }
     FrictionTable friction;
     friction.add("*", "*", {0.3, 0.3, 0});
-    contacts = assemble(bodies, Wrenches(bodies.id.size()), points, friction.resolve(bodies.materials), {.h = k_step},
-                        articulated);
+    contacts = assemble(bodies, bodies::Wrenches(bodies.id.size()), points, friction.resolve(bodies.materials),
+                        {.h = k_step}, articulated);
     settings.tolerance = 1e-12;
     settings.max_sweeps = 100000;
   }
 
-  void add(double x, Motion motion) {
-    BodySpec spec;
-    spec.shape = std::make_shared<Shape>();
+  void add(double x, bodies::Motion motion) {
+    bodies::BodySpec spec;
+    spec.shape = std::make_shared<geometry::Shape>();
     spec.motion = motion;
     spec.mass = 10;
     spec.inertia_B = 1.7 * Mat3::Identity();
@@ -136,7 +136,7 @@ TEST(PositionCorrection, OrderFreeGivesTheSameMotionInAnyOrder) {
   std::reverse(row.points.begin(), row.points.end());
   FrictionTable friction;
   friction.add("*", "*", {0.3, 0.3, 0});
-  row.contacts = assemble(row.bodies, Wrenches(row.bodies.id.size()), row.points,
+  row.contacts = assemble(row.bodies, bodies::Wrenches(row.bodies.id.size()), row.points,
                           friction.resolve(row.bodies.materials), {.h = k_step}, {});
   EXPECT_EQ(row.speeds(), one);
 }
@@ -144,10 +144,10 @@ TEST(PositionCorrection, OrderFreeGivesTheSameMotionInAnyOrder) {
 /// One cube is pressed from five sides: rounding of the sums over its contacts could show the order.
 TEST(PositionCorrection, OrderFreeSumsManyContactsOfOneBody) {
   Row row({});
-  row.add(2, Motion::free);
+  row.add(2, bodies::Motion::free);
   RandomStream random(8, "sides");
   for (int k = 0; k < 7; ++k) {
-    ContactPoint c;
+    detect::ContactPoint c;
     c.a = 0;
     c.b = 1;
     c.p = Vec3(2, 0, 0) + 0.5 * Vec3(random.normal(), random.normal(), random.normal());
@@ -161,7 +161,7 @@ TEST(PositionCorrection, OrderFreeSumsManyContactsOfOneBody) {
   FrictionTable friction;
   friction.add("*", "*", {0.3, 0.3, 0});
   const auto correct = [&] {
-    row.contacts = assemble(row.bodies, Wrenches(row.bodies.id.size()), row.points,
+    row.contacts = assemble(row.bodies, bodies::Wrenches(row.bodies.id.size()), row.points,
                             friction.resolve(row.bodies.materials), {.h = k_step}, {});
     const PositionCorrection out = position_correction(row.contacts, row.points, row.settings);
     EXPECT_TRUE(out.converged);
@@ -174,7 +174,7 @@ TEST(PositionCorrection, OrderFreeSumsManyContactsOfOneBody) {
     EXPECT_EQ(correct(), first);
   }
   row.points[3].gap = std::numeric_limits<double>::quiet_NaN();
-  row.contacts = assemble(row.bodies, Wrenches(row.bodies.id.size()), row.points,
+  row.contacts = assemble(row.bodies, bodies::Wrenches(row.bodies.id.size()), row.points,
                           friction.resolve(row.bodies.materials), {.h = k_step}, {});
   EXPECT_FALSE(position_correction(row.contacts, row.points, row.settings).converged);
 }
@@ -182,9 +182,9 @@ TEST(PositionCorrection, OrderFreeSumsManyContactsOfOneBody) {
 TEST(PositionCorrection, IslandsWithoutDepthStayStill) {
   // No deep contact is in reach of body 2: only the wall's island {1} is corrected.
   Row row({0.006});
-  row.add(20, Motion::free);
-  row.add(20.9995, Motion::free);
-  ContactPoint shallow;
+  row.add(20, bodies::Motion::free);
+  row.add(20.9995, bodies::Motion::free);
+  detect::ContactPoint shallow;
   shallow.a = 2;
   shallow.b = 3;
   shallow.p = Vec3(20.5, 0, 0);
@@ -193,7 +193,7 @@ TEST(PositionCorrection, IslandsWithoutDepthStayStill) {
   row.points.push_back(shallow);
   FrictionTable friction;
   row.contacts =
-      assemble(row.bodies, Wrenches(4), row.points, friction.resolve(row.bodies.materials), {.h = k_step}, {});
+      assemble(row.bodies, bodies::Wrenches(4), row.points, friction.resolve(row.bodies.materials), {.h = k_step}, {});
   PositionCorrection result;
   const auto v = row.speeds(&result);
   EXPECT_EQ(result.contacts, 1);
@@ -226,4 +226,4 @@ TEST(PositionCorrection, DeepOverlapOfTwoImmovableBodiesIsLeftOut) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::contact

@@ -8,7 +8,7 @@
 #include "tests/support/cone_problems.h"
 #include "tests/support/refusal.h"
 
-namespace nilas {
+namespace nilas::contact {
 namespace {
 
 TEST(Registry, FindsSolversAndNamesTheNearest) {
@@ -76,4 +76,4 @@ TEST(Registry, NamesOfLawsAndStatuses) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::contact

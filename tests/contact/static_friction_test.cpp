@@ -9,7 +9,7 @@
 #include "contact/registry.h"
 #include "tests/support/cone_problems.h"
 
-namespace nilas {
+namespace nilas::contact {
 namespace {
 
 constexpr double k_gravity = 9.81, k_step = 1e-3, k_mass = 4, k_static = 0.5, k_kinetic = 0.3;
@@ -36,7 +36,8 @@ class StaticFrictionOf : public testing::TestWithParam<const char*> {
     return solution.u[1];
   }
 
-  std::unique_ptr<ContactSolver> solver_ = find_solver(GetParam()).make({.tolerance = 1e-12, .max_iterations = 10000});
+  std::unique_ptr<solvers::ContactSolver> solver_ =
+      find_solver(GetParam()).make({.tolerance = 1e-12, .max_iterations = 10000});
   SlippingContacts slipping_;
   int rounds_ = 0;
   double used_ = 0;
@@ -112,4 +113,4 @@ TEST(StaticFriction, EqualCoefficientsTakeOneRound) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::contact

@@ -5,7 +5,7 @@
 
 #include "contact/law/contact_frame.h"
 
-namespace nilas {
+namespace nilas::contact {
 namespace {
 
 constexpr std::uint64_t k_key = 7;
@@ -52,4 +52,4 @@ TEST(WarmStart, MirroredContactsGetMirroredGuesses) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::contact

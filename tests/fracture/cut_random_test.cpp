@@ -9,6 +9,7 @@
 namespace {
 
 using namespace nilas;
+using namespace nilas::fracture;
 using namespace nilas::test;
 
 constexpr int k_cuts_per_class = 80;
@@ -62,7 +63,7 @@ TEST_P(RandomCuts, LeaveSoundPiecesThatFillTheOutlineWithoutOverlap) {
     const double error = area_error(made.outline, cut.pieces);
     EXPECT_LE(error, snap_resolution(made.outline) * perimeter(made.outline)) << i;
     if (kind() != CutClass::far_off) {
-      EXPECT_LE(error, 1e-12 * polygon_moments(made.outline).area) << i;
+      EXPECT_LE(error, 1e-12 * geometry::polygon_moments(made.outline).area) << i;
     }
   }
   if (!may_enclose(kind())) {
@@ -76,13 +77,13 @@ TEST_P(RandomCuts, KeepMassMomentumAngularMomentumAndEnergy) {
   RandomStream stream = random();
   for (int i = 0; i < k_cuts_per_class; ++i) {
     CutCase made = cut_case(kind(), stream);
-    const Vec2 centroid = polygon_moments(made.outline).centroid;
+    const Vec2 centroid = geometry::polygon_moments(made.outline).centroid;
     const FloeState floe = random_floe(made.outline, stream);
     if (!sound(floe.outline)) continue;
     for (auto& crack : made.cracks)
       for (Vec2& p : crack) p -= centroid;
     PieceLimits limits;
-    limits.min_area = 1e-3 * polygon_moments(floe.outline).area;
+    limits.min_area = 1e-3 * geometry::polygon_moments(floe.outline).area;
     limits.max_aspect = 8;
     limits.small = SmallPieces::brash;
     const FloeCut cut = cut_floe(floe, made.cracks, limits);

@@ -8,7 +8,7 @@
 #include "core/geometry/mass_properties.h"
 #include "fracture/cut/cut_outline.h"
 
-namespace nilas {
+namespace nilas::fracture {
 namespace {
 
 constexpr double k_E = 5e9, k_water = 1025;
@@ -144,7 +144,7 @@ TEST(Failure, ATongueBreaksOff) {
   const CutResult cut = cut_outline(sheet, found[0].cracks);
   ASSERT_EQ(cut.status, CutStatus::cut);
   double largest = 0;
-  for (const auto& piece : cut.pieces) largest = std::max(largest, polygon_moments(piece.outline).area);
+  for (const auto& piece : cut.pieces) largest = std::max(largest, geometry::polygon_moments(piece.outline).area);
   EXPECT_GT(largest, 200.0 * 200);
   EXPECT_LT(largest, 200.0 * 200 + 2 * half * R) << "most of the tongue is off";
 }
@@ -245,7 +245,7 @@ TEST(Failure, WeakLinesLowerTheLoad) {
   contact.opening = 4e5;
   const BendingState whole = rules.bending_state(k_sheet, contact, ice());
   LocalIce around;
-  WeakLine ring{{}, 0.5};
+  bodies::WeakLine ring{{}, 0.5};
   for (int k = 0; k <= 8; ++k)
     ring.points.emplace_back(whole.radius / std::cos(k_pi / 16) * std::cos(k_pi * k / 8),
                              whole.radius / std::cos(k_pi / 16) * std::sin(k_pi * k / 8));
@@ -260,4 +260,4 @@ TEST(Failure, WeakLinesLowerTheLoad) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::fracture

@@ -6,7 +6,7 @@
 
 #include "core/base/error.h"
 
-namespace nilas {
+namespace nilas::fracture {
 namespace {
 
 const Vec2 k_place(3, 1);
@@ -97,4 +97,4 @@ TEST(IceDamage, GoesOnFromItsState) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::fracture

@@ -31,7 +31,7 @@ std::set<std::string> choice_enumerations() {
 
 /// The enumerations of the cases before each default, searched back to its switch.
 std::vector<std::string> enumerations_with_default(const std::string& text) {
-  static const std::regex k_case(R"(case (?:nilas::)?(\w+)::)");
+  static const std::regex k_case(R"(case (?:\w+::)*(\w+)::)");
   std::vector<std::string> names;
   for (auto at = text.find("default:"); at != std::string::npos; at = text.find("default:", at + 1)) {
     const auto from = text.rfind("switch (", at);

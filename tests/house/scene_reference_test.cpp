@@ -8,6 +8,6 @@
 
 TEST(House, TheSceneReferenceIsThatOfTheSchema) {
   EXPECT_EQ(nilas::test::read_text(std::string(NILAS_SOURCE_DIR) + "/docs/reference/scene.md"),
-            nilas::schema_markdown())
+            nilas::scene::schema_markdown())
       << "write it again: build/release/nilas schema --markdown > docs/reference/scene.md";
 }

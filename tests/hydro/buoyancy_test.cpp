@@ -9,35 +9,35 @@ namespace nilas::water_test {
 
 namespace {
 
-Water sea() {
-  Water water;
+hydro::Water sea() {
+  hydro::Water water;
   water.level = 0.4;
   return water;
 }
 
-Wrench buoyancy_on(const Bodies& bodies, int b) {
-  Wrenches out(static_cast<std::size_t>(bodies.size()));
-  make_buoyancy(sea(), 1)->add_forces(bodies, 0, out);
+Wrench buoyancy_on(const bodies::Bodies& bodies, int b) {
+  bodies::Wrenches out(static_cast<std::size_t>(bodies.size()));
+  hydro::make_buoyancy(sea(), 1)->add_forces(bodies, 0, out);
   return out[b];
 }
 
 /// Potential energy after a turn by `turn` (rotation vector) and a shift.
-double potential_near(const Bodies& bodies, const Vec3& shift, const Vec3& turn) {
-  Bodies moved = bodies;
+double potential_near(const bodies::Bodies& bodies, const Vec3& shift, const Vec3& turn) {
+  bodies::Bodies moved = bodies;
   const double angle = turn.norm();
   const Quat q = angle > 0 ? Quat(Eigen::AngleAxisd(angle, turn / angle)) : Quat::Identity();
   moved.set_pose(0, bodies.p_GB[0] + shift, q * bodies.q_GB[0]);
-  return make_buoyancy(sea(), 1)->potential_energy(moved);
+  return hydro::make_buoyancy(sea(), 1)->potential_energy(moved);
 }
 
 /// Force and torque are minus the gradient of the potential, by central differences of 1e-4 m and rad (error of order
 /// 1e-8).
 TEST(Buoyancy, IsMinusTheGradientOfItsPotential) {
   constexpr double k_step = 1e-4;
-  for (const Shape& shape : shapes()) {
+  for (const geometry::Shape& shape : shapes()) {
     RandomStream random(9, std::to_string(static_cast<int>(shape.kind)));
     for (int k = 0; k < 30; ++k) {
-      Bodies bodies;
+      bodies::Bodies bodies;
       add_body(bodies, shape, {test::random_attitude(random), Vec3(3, 4, 0.4 + 0.5 * random.uniform(-1, 1))});
       const Wrench wrench = buoyancy_on(bodies, 0);
       const double scale = bodies.mass[0] * sea().gravity;
@@ -54,11 +54,11 @@ TEST(Buoyancy, IsMinusTheGradientOfItsPotential) {
 
 /// The force is rho g V, straight up through the centre of buoyancy.
 TEST(Buoyancy, ForceAndMomentArm) {
-  const Shape shape = box_shape({2, 1, 0.5});
-  Bodies bodies;
+  const geometry::Shape shape = geometry::box_shape({2, 1, 0.5});
+  bodies::Bodies bodies;
   const Pose pose{Quat(Eigen::AngleAxisd(1.1, Vec3(1, 2, 2).normalized())), {5, 6, 0.5}};
   add_body(bodies, shape, pose);
-  const Submerged wet = submerged_mesh(shape.surface, bodies.R_GB[0], pose.p, 0.4);
+  const hydro::Submerged wet = hydro::submerged_mesh(shape.surface, bodies.R_GB[0], pose.p, 0.4);
   const Wrench wrench = buoyancy_on(bodies, 0);
   const Vec3 force(0, 0, 1025 * 9.81 * wet.volume);
   EXPECT_LT((wrench.force - force).norm(), 1e-10 * force.norm());
@@ -74,9 +74,9 @@ TEST(Buoyancy, RightingMomentOfABox) {
   const double L = 3, B = 1.2, T = 0.5, d = 0.35, V = L * B * d;
   const double gm = metacentric_height(B, T, d), bm = B * B / (12 * d);
   const std::vector<Vec2> outline{{-L / 2, -B / 2}, {L / 2, -B / 2}, {L / 2, B / 2}, {-L / 2, B / 2}};
-  for (const Shape& shape : {box_shape({L, B, T}), prism_shape(outline, T)})
+  for (const geometry::Shape& shape : {geometry::box_shape({L, B, T}), geometry::prism_shape(outline, T)})
     for (const double phi : {1e-4, 1e-3, 0.05, 0.1}) {
-      Bodies bodies;
+      bodies::Bodies bodies;
       // The mean wet length of the vertical edges stays d.
       add_body(bodies, shape,
                {Quat(Eigen::AngleAxisd(phi, Vec3::UnitX())), {0, 0, 0.4 + (0.5 * T - d) * std::cos(phi)}});
@@ -96,16 +96,16 @@ TEST(Buoyancy, RightingMomentOfABox) {
 /// (2 pi / 2000)^2 / 24 = 4e-7; the period is the mean of five between upward crossings.
 TEST(Buoyancy, HeavePeriodOfABox) {
   const double A = 6, thickness = 0.8;
-  const Water water = sea();
-  Bodies bodies;
-  add_body(bodies, box_shape({3, 2, thickness}), {Quat::Identity(), {0, 0, 0}});
+  const hydro::Water water = sea();
+  bodies::Bodies bodies;
+  add_body(bodies, geometry::box_shape({3, 2, thickness}), {Quat::Identity(), {0, 0, 0}});
   const double m = bodies.mass[0], draught = m / (water.density * A), rest = water.level + 0.5 * thickness - draught;
   const double expected = 2 * k_pi * std::sqrt(m / (water.density * water.gravity * A)), h = expected / 2000;
   bodies.set_pose(0, {0, 0, rest - 0.05}, Quat::Identity());
-  const auto module = make_buoyancy(water, 1);
+  const auto module = hydro::make_buoyancy(water, 1);
   std::vector<double> crossings;
   for (int k = 0; crossings.size() < 6 && k < 20000; ++k) {
-    Wrenches out(1);
+    bodies::Wrenches out(1);
     module->add_forces(bodies, 0, out);
     bodies.v_GB[0].z() += h * (out[0].force.z() / m - water.gravity);
     const double before = bodies.p_GB[0].z() - rest, after = before + h * bodies.v_GB[0].z();
@@ -118,33 +118,33 @@ TEST(Buoyancy, HeavePeriodOfABox) {
 
 /// Buoyancy acts on free floes, rigid bodies and the vessel, but on no wall, fixed body or plane.
 TEST(Buoyancy, ActsOnWhatFloatsOnly) {
-  const Shape box = box_shape({1, 1, 1});
-  Bodies bodies;
+  const geometry::Shape box = geometry::box_shape({1, 1, 1});
+  bodies::Bodies bodies;
   const Pose pose;
-  add_body(bodies, box, pose, 900, BodyKind::rigid, Motion::free);
-  add_body(bodies, box, pose, 900, BodyKind::floe, Motion::free);
-  add_body(bodies, box, pose, 900, BodyKind::vessel, Motion::articulated);
-  add_body(bodies, box, pose, 900, BodyKind::vessel, Motion::fixed);
-  add_body(bodies, box, pose, 900, BodyKind::rigid, Motion::fixed);
-  add_body(bodies, box, pose, 900, BodyKind::floe, Motion::fixed);
-  add_body(bodies, box, pose, 900, BodyKind::wall, Motion::fixed);
-  bodies.shape.back() = std::make_shared<const Shape>(plane_shape());
+  add_body(bodies, box, pose, 900, bodies::BodyKind::rigid, bodies::Motion::free);
+  add_body(bodies, box, pose, 900, bodies::BodyKind::floe, bodies::Motion::free);
+  add_body(bodies, box, pose, 900, bodies::BodyKind::vessel, bodies::Motion::articulated);
+  add_body(bodies, box, pose, 900, bodies::BodyKind::vessel, bodies::Motion::fixed);
+  add_body(bodies, box, pose, 900, bodies::BodyKind::rigid, bodies::Motion::fixed);
+  add_body(bodies, box, pose, 900, bodies::BodyKind::floe, bodies::Motion::fixed);
+  add_body(bodies, box, pose, 900, bodies::BodyKind::wall, bodies::Motion::fixed);
+  bodies.shape.back() = std::make_shared<const geometry::Shape>(geometry::plane_shape());
   for (int b = 0; b < bodies.size(); ++b) EXPECT_EQ(buoyancy_on(bodies, b).force.z() > 0, b < 4) << b;
 }
 
 /// The energy right after the forces equals that of a new module, also when one body moves, one changes its shape, and
 /// the list grows and shrinks.
 TEST(Buoyancy, RemembersNothingWrong) {
-  const auto module = make_buoyancy(sea(), 1);
-  Bodies bodies;
+  const auto module = hydro::make_buoyancy(sea(), 1);
+  bodies::Bodies bodies;
   RandomStream random(10, "memory");
   const auto check = [&] {
-    Wrenches out(static_cast<std::size_t>(bodies.size()));
+    bodies::Wrenches out(static_cast<std::size_t>(bodies.size()));
     module->add_forces(bodies, 0, out);
-    EXPECT_EQ(module->potential_energy(bodies), make_buoyancy(sea(), 1)->potential_energy(bodies));
+    EXPECT_EQ(module->potential_energy(bodies), hydro::make_buoyancy(sea(), 1)->potential_energy(bodies));
     for (int b = 0; b < bodies.size(); ++b) EXPECT_EQ(out[b].force, buoyancy_on(bodies, b).force);
   };
-  for (const Shape& shape : shapes()) {
+  for (const geometry::Shape& shape : shapes()) {
     add_body(bodies, shape, {test::random_attitude(random), Vec3(0, 0, 0.3)});
     check();
   }
@@ -152,22 +152,22 @@ TEST(Buoyancy, RemembersNothingWrong) {
   check();
   bodies.set_pose(2, bodies.p_GB[2], test::random_attitude(random));
   check();
-  bodies.shape[0] = std::make_shared<const Shape>(box_shape({1, 1, 1}));
+  bodies.shape[0] = std::make_shared<const geometry::Shape>(geometry::box_shape({1, 1, 1}));
   check();
-  Bodies fewer;
+  bodies::Bodies fewer;
   add_body(fewer, shapes()[1], {Quat::Identity(), Vec3(0, 0, 0.2)});
   bodies = fewer;
   check();
 }
 
 TEST(Buoyancy, SameBitsForAnyThreadCount) {
-  Bodies bodies;
+  bodies::Bodies bodies;
   RandomStream random(11, "threads");
   for (int k = 0; k < 40; ++k)
-    for (const Shape& shape : shapes())
+    for (const geometry::Shape& shape : shapes())
       add_body(bodies, shape, {test::random_attitude(random), Vec3(0, 0, random.uniform())});
-  Wrenches one(static_cast<std::size_t>(bodies.size())), three = one;
-  const auto single = make_buoyancy(sea(), 1), triple = make_buoyancy(sea(), 3);
+  bodies::Wrenches one(static_cast<std::size_t>(bodies.size())), three = one;
+  const auto single = hydro::make_buoyancy(sea(), 1), triple = hydro::make_buoyancy(sea(), 3);
   single->add_forces(bodies, 0, one);
   triple->add_forces(bodies, 0, three);
   for (std::size_t b = 0; b < one.size(); ++b) {

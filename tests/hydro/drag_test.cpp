@@ -10,18 +10,18 @@ namespace {
 
 constexpr double k_deep = -50;  // A depth at which bodies are wholly under water [m].
 
-Water still() { return {}; }
+hydro::Water still() { return {}; }
 
-Water with_current(const Vec3& current) {
-  Water water;
+hydro::Water with_current(const Vec3& current) {
+  hydro::Water water;
   water.current = current;
   return water;
 }
 
-Wrenches drag(const Bodies& bodies, const DragCoefficients& coefficients, const Water& water = still(),
-              int threads = 1) {
-  Wrenches out(static_cast<std::size_t>(bodies.size()));
-  make_drag(water, coefficients, threads)->add_forces(bodies, 0, out);
+bodies::Wrenches drag(const bodies::Bodies& bodies, const hydro::DragCoefficients& coefficients,
+                      const hydro::Water& water = still(), int threads = 1) {
+  bodies::Wrenches out(static_cast<std::size_t>(bodies.size()));
+  hydro::make_drag(water, coefficients, threads)->add_forces(bodies, 0, out);
   return out;
 }
 
@@ -31,11 +31,11 @@ std::vector<Vec2> rectangle(double length, double width) {
 }
 
 /// All shapes at random poses near the surface with random motion.
-Bodies random_bodies(const std::string& stream, int rounds) {
-  Bodies bodies;
+bodies::Bodies random_bodies(const std::string& stream, int rounds) {
+  bodies::Bodies bodies;
   RandomStream random(20, stream);
   for (int k = 0; k < rounds; ++k)
-    for (const Shape& shape : shapes()) {
+    for (const geometry::Shape& shape : shapes()) {
       const Vec3 p(random.uniform(-5, 5), random.uniform(-5, 5), 0.7 * random.uniform(-1, 1));
       const int b = add_body(bodies, shape, {test::random_attitude(random), p});
       bodies.v_GB[b] = test::random_vector(random);
@@ -44,7 +44,7 @@ Bodies random_bodies(const std::string& stream, int rounds) {
   return bodies;
 }
 
-double energy_in(const Bodies& bodies, const Vec3& current) {
+double energy_in(const bodies::Bodies& bodies, const Vec3& current) {
   const Vec3 v = bodies.v_GB[0] - current, &w = bodies.w_GB[0];
   return 0.5 * bodies.mass[0] * v.squaredNorm() + 0.5 * w.dot(bodies.inertia_G(0) * w);
 }
@@ -53,10 +53,10 @@ double energy_in(const Bodies& bodies, const Vec3& current) {
 /// long the step; without the limit the first step multiplies it. A slow sliver keeps its load to the bit.
 TEST(Drag, ASliverIsBrakedByAnyStep) {
   const Vec3 current(0.3, -0.2, 0);
-  const DragCoefficients coefficients{1.0, 0.005};
+  const hydro::DragCoefficients coefficients{1.0, 0.005};
   const auto sliver = [](double speed) {
-    Bodies bodies;
-    add_body(bodies, prism_shape(rectangle(0.15, 0.01), 0.04),
+    bodies::Bodies bodies;
+    add_body(bodies, geometry::prism_shape(rectangle(0.15, 0.01), 0.04),
              {Quat(0.9, 0.1, 0.3, -0.3).normalized(), {0, 0, k_deep}});
     bodies.v_GB[0] = speed * Vec3(1, -2, 0.5);
     bodies.w_GB[0] = 100 * speed * Vec3(3, 1, -2);
@@ -64,12 +64,12 @@ TEST(Drag, ASliverIsBrakedByAnyStep) {
   };
   for (const double h : {1e-4, 1e-2, 1.0})
     for (const double speed : {1.0, 20.0, 1000.0}) {
-      Bodies bodies = sliver(speed);
-      const auto module = make_drag(with_current(current), coefficients, 1);
+      bodies::Bodies bodies = sliver(speed);
+      const auto module = hydro::make_drag(with_current(current), coefficients, 1);
       double before = energy_in(bodies, current);
       bool limited = false;
       for (int step = 0; step < 50; ++step) {
-        Wrenches out(1);
+        bodies::Wrenches out(1);
         module->add_forces(bodies, 0, out);
         const Vec3 whole = out[0].force;
         module->limit(bodies, h, out);
@@ -82,9 +82,9 @@ TEST(Drag, ASliverIsBrakedByAnyStep) {
       }
       EXPECT_TRUE(limited || h * speed < 0.1);
     }
-  const Bodies slow = sliver(0.01);
-  const auto module = make_drag(with_current(Vec3::Zero()), coefficients, 1);
-  Wrenches out(1);
+  const bodies::Bodies slow = sliver(0.01);
+  const auto module = hydro::make_drag(with_current(Vec3::Zero()), coefficients, 1);
+  bodies::Wrenches out(1);
   module->add_forces(slow, 0, out);
   const Wrench whole = out[0];
   module->limit(slow, 1e-2, out);
@@ -97,14 +97,14 @@ TEST(Drag, ASliverIsBrakedByAnyStep) {
 TEST(Drag, PlatePushedBroadsideReachesItsTerminalVelocity) {
   const double A = 3.0 * 2.0, push = 700, form = 1.2;
   const double k = 0.5 * still().density * form * A, terminal = std::sqrt(push / k);
-  Bodies bodies;
-  add_body(bodies, prism_shape(rectangle(3, 2), 0.05),
+  bodies::Bodies bodies;
+  add_body(bodies, geometry::prism_shape(rectangle(3, 2), 0.05),
            {Quat(Eigen::AngleAxisd(k_pi / 2, Vec3::UnitY())), {0, 0, k_deep}});
   const double m = bodies.mass[0], constant = m * terminal / push, h = constant / 50;
-  const auto module = make_drag(still(), {form, 0}, 1);
+  const auto module = hydro::make_drag(still(), {form, 0}, 1);
   const auto acceleration = [&](double v) {
     bodies.v_GB[0] = {v, 0, 0};
-    Wrenches out(1);
+    bodies::Wrenches out(1);
     module->add_forces(bodies, 0, out);
     return (push + out[0].force.x()) / m;
   };
@@ -124,15 +124,15 @@ TEST(Drag, PlatePushedBroadsideReachesItsTerminalVelocity) {
 /// sides take skin drag upwards, each at its middle.
 TEST(Drag, SinkingFloe) {
   const double T = 0.4, form = 1.1, skin = 0.01, q = 0.5 * 1025 * 0.09;
-  const Shape shape = prism_shape(concave_outline(), T);
+  const geometry::Shape shape = geometry::prism_shape(concave_outline(), T);
   Wrench expected;
-  expected.force = {0, 0, q * form * polygon_moments(shape.outline).area};
+  expected.force = {0, 0, q * form * geometry::polygon_moments(shape.outline).area};
   for (std::size_t i = 0; i < shape.outline.size(); ++i) {
     const Vec2 a = shape.outline[i], b = shape.outline[(i + 1) % shape.outline.size()], middle = 0.5 * (a + b);
     const Vec3 lift(0, 0, q * skin * T * (b - a).norm());
     expected += {lift, Vec3(middle.x(), middle.y(), 0).cross(lift)};
   }
-  Bodies bodies;
+  bodies::Bodies bodies;
   add_body(bodies, shape, {Quat::Identity(), {0, 0, k_deep}});
   bodies.v_GB[0] = {0, 0, -0.3};
   const Wrench wrench = drag(bodies, {form, skin})[0];
@@ -143,9 +143,9 @@ TEST(Drag, SinkingFloe) {
 /// A plate slides along itself: 0.5 rho C_s A v^2 over both faces and the two rims parallel to the motion.
 TEST(Drag, SkinOfASlidingPlate) {
   const double L = 3, B = 2, T = 0.05, v = 0.8, skin = 0.004;
-  const Shape prism = prism_shape(rectangle(L, B), T), box = box_shape({L, B, T});
-  for (const Shape& shape : {prism, box}) {
-    Bodies bodies;
+  const geometry::Shape prism = geometry::prism_shape(rectangle(L, B), T), box = geometry::box_shape({L, B, T});
+  for (const geometry::Shape& shape : {prism, box}) {
+    bodies::Bodies bodies;
     add_body(bodies, shape, {Quat(Eigen::AngleAxisd(0.6, Vec3::UnitX())), {0, 0, k_deep}});
     bodies.v_GB[0] = {v, 0, 0};
     const Wrench wrench = drag(bodies, {0, skin})[0];
@@ -158,9 +158,10 @@ TEST(Drag, SkinOfASlidingPlate) {
 /// A box afloat at draught d, towed: form 0.5 rho C_f B d v^2 at half the draught; skin on bottom and two sides.
 TEST(Drag, TowedFloatingBox) {
   const double L = 3, B = 2, T = 0.8, d = 0.5, v = 1.3, form = 0.9, skin = 0.005, q = 0.5 * 1025 * v * v;
-  for (const Shape& shape : {prism_shape(rectangle(L, B), T), box_shape({L, B, T})}) {
-    Bodies bodies;
-    add_body(bodies, shape, {Quat::Identity(), {0, 0, 0.5 * T - d}}, 500, BodyKind::vessel, Motion::articulated);
+  for (const geometry::Shape& shape : {geometry::prism_shape(rectangle(L, B), T), geometry::box_shape({L, B, T})}) {
+    bodies::Bodies bodies;
+    add_body(bodies, shape, {Quat::Identity(), {0, 0, 0.5 * T - d}}, 500, bodies::BodyKind::vessel,
+             bodies::Motion::articulated);
     bodies.v_GB[0] = {v, 0, 0};
     const Wrench wrench = drag(bodies, {form, skin})[0];
     const double pressure = q * form * B * d, bottom = q * skin * L * B, sides = q * skin * 2 * L * d;
@@ -176,8 +177,8 @@ TEST(Drag, TowedFloatingBox) {
 /// integral of sin^3 dA = 2 pi r^2 (3 pi / 8). 512 facets keep both within 0.5 %.
 TEST(Drag, Sphere) {
   const double r = 0.8, q = 0.5 * 1025;
-  Bodies bodies;
-  add_body(bodies, sphere_shape(r), {Quat::Identity(), {0, 0, k_deep}});
+  bodies::Bodies bodies;
+  add_body(bodies, geometry::sphere_shape(r), {Quat::Identity(), {0, 0, k_deep}});
   RandomStream random(21, "sphere");
   for (int k = 0; k < 20; ++k) {
     bodies.v_GB[0] = test::random_vector(random).normalized();
@@ -192,14 +193,14 @@ TEST(Drag, Sphere) {
 /// nothing.
 TEST(Drag, DependsOnTheRelativeVelocityOnly) {
   const Vec3 U(0.7, -0.2, 0.1);
-  Bodies moving = random_bodies("galilei", 5), resting = moving, carried = moving;
+  bodies::Bodies moving = random_bodies("galilei", 5), resting = moving, carried = moving;
   for (std::size_t b = 0; b < moving.v_GB.size(); ++b) {
     moving.v_GB[b] = U;
     resting.v_GB[b].setZero();
     carried.v_GB[b] = U + Vec3(3, 4, 5);
   }
-  const Wrenches a = drag(moving, {}), b = drag(resting, {}, with_current(-U)),
-                 c = drag(carried, {}, with_current({3, 4, 5}));
+  const bodies::Wrenches a = drag(moving, {}), b = drag(resting, {}, with_current(-U)),
+                         c = drag(carried, {}, with_current({3, 4, 5}));
   for (std::size_t k = 0; k < a.size(); ++k) {
     EXPECT_EQ(a[k].force, b[k].force);
     EXPECT_EQ(a[k].torque, b[k].torque);
@@ -212,15 +213,16 @@ TEST(Drag, DependsOnTheRelativeVelocityOnly) {
 TEST(Drag, TurnsWithTheFrame) {
   const Quat turn(Eigen::AngleAxisd(1.234, Vec3::UnitZ()));
   const Vec3 current(0.4, 0.3, 0);
-  const Bodies bodies = random_bodies("frame", 5);
-  Bodies turned = bodies;
+  const bodies::Bodies bodies = random_bodies("frame", 5);
+  bodies::Bodies turned = bodies;
   for (int k = 0; k < bodies.size(); ++k) {
     const auto b = static_cast<std::size_t>(k);
     turned.set_pose(k, turn * bodies.p_GB[b], turn * bodies.q_GB[b]);
     turned.v_GB[b] = turn * bodies.v_GB[b];
     turned.w_GB[b] = turn * bodies.w_GB[b];
   }
-  const Wrenches a = drag(bodies, {}, with_current(current)), b = drag(turned, {}, with_current(turn * current));
+  const bodies::Wrenches a = drag(bodies, {}, with_current(current)),
+                         b = drag(turned, {}, with_current(turn * current));
   for (std::size_t k = 0; k < a.size(); ++k) {
     const double scale = a[k].force.norm() + a[k].torque.norm();
     EXPECT_LT((turn * a[k].force - b[k].force).norm(), 1e-13 * scale);
@@ -230,9 +232,9 @@ TEST(Drag, TurnsWithTheFrame) {
 
 /// Drag in still water only dissipates energy, face by face: F v + T w <= 0.
 TEST(Drag, Dissipates) {
-  const Bodies bodies = random_bodies("power", 30);
-  for (const DragCoefficients& c : {DragCoefficients{1, 0}, DragCoefficients{0, 1}}) {
-    const Wrenches out = drag(bodies, c);
+  const bodies::Bodies bodies = random_bodies("power", 30);
+  for (const hydro::DragCoefficients& c : {hydro::DragCoefficients{1, 0}, hydro::DragCoefficients{0, 1}}) {
+    const bodies::Wrenches out = drag(bodies, c);
     for (std::size_t b = 0; b < out.size(); ++b)
       EXPECT_LE(out[b].force.dot(bodies.v_GB[b]) + out[b].torque.dot(bodies.w_GB[b]), 0);
   }
@@ -241,8 +243,8 @@ TEST(Drag, Dissipates) {
 /// The rule has one point per face. A square floe that spins or rocks about its centre has no flow at any face's
 /// centroid, so there is no form drag. This limit of the rule is documented.
 TEST(Drag, OnePointPerFaceSeesNoFormDragOnASpinningSquareFloe) {
-  Bodies bodies;
-  add_body(bodies, prism_shape(rectangle(1, 1), 0.2), {Quat::Identity(), {0, 0, k_deep}});
+  bodies::Bodies bodies;
+  add_body(bodies, geometry::prism_shape(rectangle(1, 1), 0.2), {Quat::Identity(), {0, 0, k_deep}});
   for (const Vec3& w : {Vec3(1, 0, 0), Vec3(0, 0, 1)}) {
     bodies.w_GB[0] = w;
     const Wrench form = drag(bodies, {1, 0})[0], skin = drag(bodies, {0, 1})[0];
@@ -252,13 +254,13 @@ TEST(Drag, OnePointPerFaceSeesNoFormDragOnASpinningSquareFloe) {
 }
 
 TEST(Drag, NothingOnWhatIsDryFixedOrAWall) {
-  const Shape box = box_shape({1, 1, 1});
-  Bodies bodies;
+  const geometry::Shape box = geometry::box_shape({1, 1, 1});
+  bodies::Bodies bodies;
   add_body(bodies, box, {Quat::Identity(), {0, 0, 5}});
-  add_body(bodies, box, {}, 900, BodyKind::rigid, Motion::fixed);
-  add_body(bodies, box, {}, 900, BodyKind::wall, Motion::fixed);
-  add_body(bodies, box, {}, 900, BodyKind::vessel, Motion::fixed);
-  const Wrenches out = drag(bodies, {}, with_current({1, 0, 0}));
+  add_body(bodies, box, {}, 900, bodies::BodyKind::rigid, bodies::Motion::fixed);
+  add_body(bodies, box, {}, 900, bodies::BodyKind::wall, bodies::Motion::fixed);
+  add_body(bodies, box, {}, 900, bodies::BodyKind::vessel, bodies::Motion::fixed);
+  const bodies::Wrenches out = drag(bodies, {}, with_current({1, 0, 0}));
   for (std::size_t b = 0; b < 3; ++b) {
     EXPECT_EQ(out[b].force, Vec3::Zero());
     EXPECT_EQ(out[b].torque, Vec3::Zero());
@@ -267,8 +269,8 @@ TEST(Drag, NothingOnWhatIsDryFixedOrAWall) {
 }
 
 TEST(Drag, SameBitsForAnyThreadCount) {
-  const Bodies bodies = random_bodies("threads", 30);
-  const Wrenches one = drag(bodies, {}, still(), 1), three = drag(bodies, {}, still(), 3);
+  const bodies::Bodies bodies = random_bodies("threads", 30);
+  const bodies::Wrenches one = drag(bodies, {}, still(), 1), three = drag(bodies, {}, still(), 3);
   for (std::size_t b = 0; b < one.size(); ++b) {
     EXPECT_EQ(one[b].force, three[b].force);
     EXPECT_EQ(one[b].torque, three[b].torque);
@@ -277,16 +279,16 @@ TEST(Drag, SameBitsForAnyThreadCount) {
 
 /// The force F = coefficient (velocity - v) acts on free floes only.
 TEST(VirtualDrag, PullsFloesTowardsItsVelocity) {
-  const Shape shape = prism_shape(rectangle(1, 1), 0.1);
-  Bodies bodies;
-  add_body(bodies, shape, {}, 900, BodyKind::floe);
-  add_body(bodies, shape, {}, 900, BodyKind::floe, Motion::fixed);
-  add_body(bodies, shape, {}, 900, BodyKind::rigid);
-  add_body(bodies, shape, {}, 900, BodyKind::vessel, Motion::articulated);
+  const geometry::Shape shape = geometry::prism_shape(rectangle(1, 1), 0.1);
+  bodies::Bodies bodies;
+  add_body(bodies, shape, {}, 900, bodies::BodyKind::floe);
+  add_body(bodies, shape, {}, 900, bodies::BodyKind::floe, bodies::Motion::fixed);
+  add_body(bodies, shape, {}, 900, bodies::BodyKind::rigid);
+  add_body(bodies, shape, {}, 900, bodies::BodyKind::vessel, bodies::Motion::articulated);
   for (auto& v : bodies.v_GB) v = {0.1, 0.2, -0.3};
   for (auto& w : bodies.w_GB) w = {1, 2, 3};
-  const auto module = make_virtual_drag(0.1, {0.389, 0, 0});
-  Wrenches out(4);
+  const auto module = hydro::make_virtual_drag(0.1, {0.389, 0, 0});
+  bodies::Wrenches out(4);
   module->add_forces(bodies, 0, out);
   EXPECT_LT((out[0].force - Vec3(0.0289, -0.02, 0.03)).norm(), 1e-16);
   EXPECT_EQ(out[0].torque, Vec3::Zero());
@@ -299,12 +301,12 @@ TEST(VirtualDrag, PullsFloesTowardsItsVelocity) {
 
 /// An explicit step would overshoot the velocity.
 TEST(VirtualDrag, BringsAFloeToItsVelocityAtMost) {
-  const Shape shape = prism_shape(rectangle(1, 1), 0.1);
-  Bodies bodies;
-  add_body(bodies, shape, {}, 900, BodyKind::floe);
+  const geometry::Shape shape = geometry::prism_shape(rectangle(1, 1), 0.1);
+  bodies::Bodies bodies;
+  add_body(bodies, shape, {}, 900, bodies::BodyKind::floe);
   bodies.v_GB[0] = {0.1, 0.2, -0.3};
-  const auto module = make_virtual_drag(1e5, {0.389, 0, 0});
-  Wrenches out(1);
+  const auto module = hydro::make_virtual_drag(1e5, {0.389, 0, 0});
+  bodies::Wrenches out(1);
   module->add_forces(bodies, 0, out);
   module->limit(bodies, 0.05, out);
   EXPECT_LT((bodies.v_GB[0] + 0.05 / bodies.mass[0] * out[0].force - Vec3(0.389, 0, 0)).norm(), 1e-15);

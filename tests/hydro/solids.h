@@ -15,7 +15,7 @@ namespace nilas::water_test {
 
 struct Solid {
   std::string name;
-  TriangleMesh mesh;
+  geometry::TriangleMesh mesh;
   double size = 1;  ///< Half extent, for the range of heights [m].
 };
 
@@ -31,9 +31,9 @@ inline std::vector<Vec2> forked_outline() {
 
 /// A ship-like solid, not convex (hollow waterlines forward), exactly symmetric about y = 0. Each station along x is a
 /// loop of points from the deck's middle down the port side to the keel and up the starboard side.
-inline TriangleMesh lofted_hull() {
+inline geometry::TriangleMesh lofted_hull() {
   constexpr int k_stations = 24, k_half = 8, k_loop = 2 * k_half;
-  TriangleMesh mesh;
+  geometry::TriangleMesh mesh;
   for (int i = 0; i < k_stations; ++i) {
     const double s = static_cast<double>(i) / (k_stations - 1);
     const double breadth = 0.05 + 0.55 * std::pow(std::sin(0.5 * k_pi * std::min(1.0, 1.6 * (1 - s))), 2);
@@ -56,18 +56,18 @@ inline TriangleMesh lofted_hull() {
     mesh.triangles.push_back({index(0, 0), index(0, j + 1), index(0, j)});
     mesh.triangles.push_back({index(k_stations - 1, 0), index(k_stations - 1, j), index(k_stations - 1, j + 1)});
   }
-  if (find_defects(mesh).inward)
+  if (geometry::find_defects(mesh).inward)
     for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
   return mesh;
 }
 
 inline std::vector<Solid> solids() {
-  TriangleMesh plate = box_shape({10, 8, 0.01}).surface;
-  TriangleMesh far_plate = plate;
+  geometry::TriangleMesh plate = geometry::box_shape({10, 8, 0.01}).surface;
+  geometry::TriangleMesh far_plate = plate;
   for (auto& x : far_plate.vertices) x += Vec3(1000, -700, 400);
-  return {{"box", box_shape({2, 3, 1}).surface, 1.8},
-          {"concave prism", prism_shape(concave_outline(), 0.4).surface, 2.5},
-          {"forked prism", prism_shape(forked_outline(), 0.4).surface, 3},
+  return {{"box", geometry::box_shape({2, 3, 1}).surface, 1.8},
+          {"concave prism", geometry::prism_shape(concave_outline(), 0.4).surface, 2.5},
+          {"forked prism", geometry::prism_shape(forked_outline(), 0.4).surface, 3},
           {"tetrahedron", test::tetrahedron({0.1, 0.2, -0.5}, {1, 0, 0.3}, {-0.4, 0.9, 0.2}, {-0.3, -0.8, 0.7}), 1},
           {"hull", lofted_hull(), 2},
           {"thin plate", plate, 4},
@@ -75,27 +75,27 @@ inline std::vector<Solid> solids() {
 }
 
 /// A shape of each kind that water acts on.
-inline std::vector<Shape> shapes() {
-  return {prism_shape(concave_outline(), 0.6),
-          prism_shape(forked_outline(), 3),
-          box_shape({2, 1, 0.5}),
-          cylinder_shape(0.6, 1.5),
-          sphere_shape(0.8),
-          mesh_shape(lofted_hull(), {})};
+inline std::vector<geometry::Shape> shapes() {
+  return {geometry::prism_shape(concave_outline(), 0.6),
+          geometry::prism_shape(forked_outline(), 3),
+          geometry::box_shape({2, 1, 0.5}),
+          geometry::cylinder_shape(0.6, 1.5),
+          geometry::sphere_shape(0.8),
+          geometry::mesh_shape(lofted_hull(), {})};
 }
 
 /// A body with the mass properties of its surface at the given density (a sphere: its own).
-inline int add_body(Bodies& bodies, const Shape& shape, const Pose& pose, double density = 900,
-                    BodyKind kind = BodyKind::rigid, Motion motion = Motion::free) {
-  BodySpec spec;
+inline int add_body(bodies::Bodies& bodies, const geometry::Shape& shape, const Pose& pose, double density = 900,
+                    bodies::BodyKind kind = bodies::BodyKind::rigid, bodies::Motion motion = bodies::Motion::free) {
+  bodies::BodySpec spec;
   spec.name = "body";
   spec.kind = kind;
   spec.motion = motion;
-  spec.shape = std::make_shared<const Shape>(shape);
-  const MassProperties properties =
-      shape.kind == ShapeKind::sphere
-          ? sphere_properties(shape.radius, density * 4 / 3 * k_pi * std::pow(shape.radius, 3))
-          : mesh_properties(shape.surface, density);
+  spec.shape = std::make_shared<const geometry::Shape>(shape);
+  const geometry::MassProperties properties =
+      shape.kind == geometry::ShapeKind::sphere
+          ? geometry::sphere_properties(shape.radius, density * 4 / 3 * k_pi * std::pow(shape.radius, 3))
+          : geometry::mesh_properties(shape.surface, density);
   spec.mass = properties.mass;
   spec.inertia_B = properties.inertia;
   spec.pose = pose;

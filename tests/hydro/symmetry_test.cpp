@@ -15,7 +15,7 @@ namespace {
 using test::mirrored;
 using test::mirrored_axial;
 
-TriangleMesh mirrored(TriangleMesh mesh) {
+geometry::TriangleMesh mirrored(geometry::TriangleMesh mesh) {
   // The mesh is mirrored, its vertices are numbered in reverse, and every triangle begins at another corner.
   for (auto& x : mesh.vertices) x.y() = -x.y();
   std::reverse(mesh.vertices.begin(), mesh.vertices.end());
@@ -30,10 +30,10 @@ TriangleMesh mirrored(TriangleMesh mesh) {
 }
 
 struct Pair {
-  Bodies left, right;
+  bodies::Bodies left, right;
 };
 
-Pair mirror_pair(const Shape& left, const Shape& right, RandomStream& random) {
+Pair mirror_pair(const geometry::Shape& left, const geometry::Shape& right, RandomStream& random) {
   Pair pair;
   const Pose pose{test::random_attitude(random), Vec3(1, 2, 0.4 * random.uniform(-1, 1))};
   add_body(pair.left, left, pose);
@@ -45,8 +45,8 @@ Pair mirror_pair(const Shape& left, const Shape& right, RandomStream& random) {
   return pair;
 }
 
-Wrench wrench_on(const Bodies& bodies, ForceModule& module) {
-  Wrenches out(1);
+Wrench wrench_on(const bodies::Bodies& bodies, bodies::ForceModule& module) {
+  bodies::Wrenches out(1);
   module.add_forces(bodies, 0, out);
   return out[0];
 }
@@ -54,18 +54,18 @@ Wrench wrench_on(const Bodies& bodies, ForceModule& module) {
 /// Mirrored outline or mesh, pose and motion give the mirrored wrench to the last bit, although the sums have the
 /// reverse order.
 TEST(Symmetry, MirroredFloesAndMeshes) {
-  std::vector<std::pair<Shape, Shape>> shapes;
+  std::vector<std::pair<geometry::Shape, geometry::Shape>> shapes;
   for (const auto& outline : {concave_outline(), forked_outline()})
-    shapes.emplace_back(prism_shape(outline, 0.5), prism_shape(mirrored(outline, 2), 0.5));
-  shapes.emplace_back(mesh_shape(lofted_hull(), {}), mesh_shape(mirrored(lofted_hull()), {}));
-  Water water;
+    shapes.emplace_back(geometry::prism_shape(outline, 0.5), geometry::prism_shape(mirrored(outline, 2), 0.5));
+  shapes.emplace_back(geometry::mesh_shape(lofted_hull(), {}), geometry::mesh_shape(mirrored(lofted_hull()), {}));
+  hydro::Water water;
   water.current = {0.3, 0, 0};
-  const auto buoyancy = make_buoyancy(water, 1), drag = make_drag(water, {}, 1, true);
+  const auto buoyancy = hydro::make_buoyancy(water, 1), drag = hydro::make_drag(water, {}, 1, true);
   for (const auto& [left, right] : shapes) {
     RandomStream random(30, std::to_string(left.outline.size()));
     for (int k = 0; k < 100; ++k) {
       const Pair pair = mirror_pair(left, right, random);
-      for (ForceModule* module : {buoyancy.get(), drag.get()}) {
+      for (bodies::ForceModule* module : {buoyancy.get(), drag.get()}) {
         const Wrench a = wrench_on(pair.left, *module), b = wrench_on(pair.right, *module);
         EXPECT_EQ(mirrored(a.force), b.force);
         EXPECT_EQ(mirrored_axial(a.torque), b.torque);
@@ -76,12 +76,12 @@ TEST(Symmetry, MirroredFloesAndMeshes) {
 
 /// A hull that moves in its centre plane has no side force, and no roll or yaw moment.
 TEST(Symmetry, SymmetricHullAheadHasNoSideLoads) {
-  Bodies bodies;
-  add_body(bodies, mesh_shape(lofted_hull(), {}), {Quat(Eigen::AngleAxisd(0.02, Vec3::UnitY())), {0, 0, 0}}, 500,
-           BodyKind::vessel, Motion::articulated);
+  bodies::Bodies bodies;
+  add_body(bodies, geometry::mesh_shape(lofted_hull(), {}), {Quat(Eigen::AngleAxisd(0.02, Vec3::UnitY())), {0, 0, 0}},
+           500, bodies::BodyKind::vessel, bodies::Motion::articulated);
   bodies.v_GB[0] = {1, 0, 0.1};
   bodies.w_GB[0] = {0, 0.2, 0};
-  for (const auto& module : {make_buoyancy({}, 1), make_drag({}, {}, 1, true)}) {
+  for (const auto& module : {hydro::make_buoyancy({}, 1), hydro::make_drag({}, {}, 1, true)}) {
     const Wrench wrench = wrench_on(bodies, *module);
     EXPECT_EQ(wrench.force.y(), 0);
     EXPECT_EQ(wrench.torque.x(), 0);
@@ -91,12 +91,13 @@ TEST(Symmetry, SymmetricHullAheadHasNoSideLoads) {
 
 /// Buoyancy turned about z agrees to 1e-13 relative.
 TEST(Symmetry, BuoyancyTurnsWithTheFrame) {
-  const auto module = make_buoyancy({}, 1);
+  const auto module = hydro::make_buoyancy({}, 1);
   const Quat turn(Eigen::AngleAxisd(-2.1, Vec3::UnitZ()));
   RandomStream random(31, "turn");
-  for (const Shape& shape : {prism_shape(concave_outline(), 0.6), mesh_shape(lofted_hull(), {})})
+  for (const geometry::Shape& shape :
+       {geometry::prism_shape(concave_outline(), 0.6), geometry::mesh_shape(lofted_hull(), {})})
     for (int k = 0; k < 50; ++k) {
-      Bodies bodies;
+      bodies::Bodies bodies;
       add_body(bodies, shape, {test::random_attitude(random), Vec3(1, 2, 0.4 * random.uniform(-1, 1))});
       const Wrench a = wrench_on(bodies, *module);
       bodies.set_pose(0, turn * bodies.p_GB[0], turn * bodies.q_GB[0]);

@@ -47,7 +47,7 @@ inline LongSolid below(std::array<Long3, 4> p) {
 }
 
 /// Submerged volume, and moment about the pose's origin.
-inline LongSolid submerged_oracle(const TriangleMesh& mesh, const Mat3& R, const Vec3& p, double level) {
+inline LongSolid submerged_oracle(const geometry::TriangleMesh& mesh, const Mat3& R, const Vec3& p, double level) {
   const Long3 apex = mesh.vertices[0].cast<long double>();
   const auto ground = [&](const Long3& x) -> Long3 {
     return R.cast<long double>() * x + Long3(0, 0, static_cast<long double>(p.z()) - static_cast<long double>(level));

@@ -11,20 +11,20 @@ namespace {
 
 /// Hydrostatic pressure per rho g is linear, so its integral over a plane face is the value at the centroid times the
 /// area: sum of (z - level) A n over all wet faces must be the displaced volume upwards, with no horizontal part.
-Vec3 pressure_sum(const std::vector<WettedFace>& faces, double level) {
+Vec3 pressure_sum(const std::vector<hydro::WettedFace>& faces, double level) {
   Vec3 sum = Vec3::Zero();
   for (const auto& face : faces) sum += (face.centroid.z() - level) * face.area * face.normal;
   return sum;
 }
 
 /// The wet faces and the cut close the wet solid: sum of A n is minus the waterplane area, straight up.
-Vec3 area_sum(const std::vector<WettedFace>& faces) {
+Vec3 area_sum(const std::vector<hydro::WettedFace>& faces) {
   Vec3 sum = Vec3::Zero();
   for (const auto& face : faces) sum += face.area * face.normal;
   return sum;
 }
 
-double total_area(const std::vector<WettedFace>& faces) {
+double total_area(const std::vector<hydro::WettedFace>& faces) {
   double sum = 0;
   for (const auto& face : faces) sum += face.area;
   return sum;
@@ -36,12 +36,12 @@ TEST(WettedFaces, PressureOverTheFacesIsTheBuoyancy) {
     for (int k = 0; k < 200; ++k) {
       const Mat3 R = test::random_attitude(random).toRotationMatrix();
       const Vec3 p = Vec3(7, -9, 0.25 + solid.size * random.uniform(-1, 1)) - R * solid.mesh.vertices[0];
-      std::vector<WettedFace> faces;
-      wetted_faces(solid.mesh, R, p, 0.25, faces);
-      const double volume = submerged_mesh(solid.mesh, R, p, 0.25).volume;
+      std::vector<hydro::WettedFace> faces;
+      hydro::wetted_faces(solid.mesh, R, p, 0.25, faces);
+      const double volume = hydro::submerged_mesh(solid.mesh, R, p, 0.25).volume;
       const double area = total_area(faces);
       EXPECT_LE((pressure_sum(faces, 0.25) - Vec3(0, 0, volume)).norm(), 1e-10 * volume) << solid.name;
-      const double cut = waterplane(solid.mesh, R, p, 0.25).area;
+      const double cut = hydro::waterplane(solid.mesh, R, p, 0.25).area;
       EXPECT_LE((area_sum(faces) + Vec3(0, 0, cut)).norm(), 1e-11 * (area + cut)) << solid.name;
       for (const auto& face : faces) {
         EXPECT_LE(face.centroid.z(), 0.25 + 1e-12);
@@ -54,18 +54,18 @@ TEST(WettedFaces, PressureOverTheFacesIsTheBuoyancy) {
 TEST(WettedFaces, FloeFacesGiveTheBuoyancyAndTheAreaOfTheirMesh) {
   for (const auto& outline : {concave_outline(), forked_outline()})
     for (const double thickness : {0.05, 0.5, 3.0}) {
-      const Shape shape = prism_shape(outline, thickness);
-      const PrismWater floe(shape);
+      const geometry::Shape shape = geometry::prism_shape(outline, thickness);
+      const hydro::PrismWater floe(shape);
       RandomStream random(6, std::to_string(thickness));
       for (int k = 0; k < 300; ++k) {
         const Mat3 R(k % 2 == 0 ? test::random_attitude(random).toRotationMatrix()
                                 : Mat3(Eigen::AngleAxisd(0.01 * thickness, test::random_vector(random).normalized())));
         const Vec3 p(7, -9, (k % 2 == 0 ? 2 : 0.6 * thickness) * random.uniform(-1, 1));
-        std::vector<WettedFace> faces, triangles;
+        std::vector<hydro::WettedFace> faces, triangles;
         floe.wetted_faces(R, p, 0, faces);
-        wetted_faces(shape.surface, R, p, 0, triangles);
+        hydro::wetted_faces(shape.surface, R, p, 0, triangles);
         ASSERT_LE(faces.size(), outline.size() + 2);
-        const double area = total_area(triangles), volume = submerged_mesh(shape.surface, R, p, 0).volume;
+        const double area = total_area(triangles), volume = hydro::submerged_mesh(shape.surface, R, p, 0).volume;
         EXPECT_NEAR(total_area(faces), area, 1e-12 * area);
         EXPECT_LE((pressure_sum(faces, 0) - Vec3(0, 0, volume)).norm(), 1e-10 * volume);
       }
@@ -74,8 +74,9 @@ TEST(WettedFaces, FloeFacesGiveTheBuoyancyAndTheAreaOfTheirMesh) {
 
 /// Cube of side 2 with its centre in the water: bottom 4 at depth 1, four sides of 2 at depth 1/2; no top.
 TEST(WettedFaces, HalfSunkCube) {
-  std::vector<WettedFace> faces;
-  PrismWater(prism_shape({{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}, 2)).wetted_faces(Mat3::Identity(), {5, 0, 0}, 0, faces);
+  std::vector<hydro::WettedFace> faces;
+  hydro::PrismWater(geometry::prism_shape({{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}, 2))
+      .wetted_faces(Mat3::Identity(), {5, 0, 0}, 0, faces);
   ASSERT_EQ(faces.size(), 5u);
   EXPECT_EQ(faces[0].area, 4);
   EXPECT_EQ(faces[0].centroid, Vec3(5, 0, -1));
@@ -87,10 +88,10 @@ TEST(WettedFaces, HalfSunkCube) {
 
 /// A face in the plane: dry when the solid stands on it or is cut there, wet once the solid hangs below it.
 TEST(WettedFaces, FaceInThePlane) {
-  const TriangleMesh box = box_shape({2, 2, 2}).surface;
+  const geometry::TriangleMesh box = geometry::box_shape({2, 2, 2}).surface;
   const auto area = [&](double z) {
-    std::vector<WettedFace> faces;
-    wetted_faces(box, Mat3::Identity(), {0, 0, z}, 0, faces);
+    std::vector<hydro::WettedFace> faces;
+    hydro::wetted_faces(box, Mat3::Identity(), {0, 0, z}, 0, faces);
     return total_area(faces);
   };
   EXPECT_EQ(area(1), 0);
@@ -99,16 +100,16 @@ TEST(WettedFaces, FaceInThePlane) {
 }
 
 TEST(WettedFaces, AppendsToTheList) {
-  std::vector<WettedFace> faces(3);
-  wetted_faces(box_shape({1, 1, 1}).surface, Mat3::Identity(), {0, 0, -9}, 0, faces);
+  std::vector<hydro::WettedFace> faces(3);
+  hydro::wetted_faces(geometry::box_shape({1, 1, 1}).surface, Mat3::Identity(), {0, 0, -9}, 0, faces);
   EXPECT_EQ(faces.size(), 3u + 12u);
 }
 
 /// The faces are closed and outward, with the sphere's area. Their volume is 0.4 % less than the sphere's.
 TEST(WettedFaces, FacetedSphere) {
-  const TriangleMesh mesh = sphere_surface(0.5);
-  std::vector<WettedFace> faces;
-  wetted_faces(mesh, Mat3::Identity(), {0, 0, -9}, 0, faces);
+  const geometry::TriangleMesh mesh = hydro::sphere_surface(0.5);
+  std::vector<hydro::WettedFace> faces;
+  hydro::wetted_faces(mesh, Mat3::Identity(), {0, 0, -9}, 0, faces);
   EXPECT_EQ(faces.size(), 512u);
   EXPECT_NEAR(total_area(faces), k_pi, 1e-13);
   EXPECT_LT(area_sum(faces).norm(), 1e-14);

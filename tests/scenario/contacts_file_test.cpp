@@ -49,7 +49,7 @@ Vector3d in_row(const std::vector<double>& x, const std::vector<double>& y, cons
 
 /// Columns x, y, z of a vector.
 struct Vectors {
-  Vectors(const nilas::Hdf5Reader& file, const std::string& start, const std::string& unit)
+  Vectors(const nilas::hdf5::Hdf5Reader& file, const std::string& start, const std::string& unit)
       : x(file.exact_numbers("contacts/" + start + "x" + unit)),
         y(file.exact_numbers("contacts/" + start + "y" + unit)),
         z(file.exact_numbers("contacts/" + start + "z" + unit)) {}
@@ -60,7 +60,7 @@ struct Vectors {
 /// Compares with vessel.csv. With semi-implicit Euler the contacts of a row are found at the pose of the row before.
 void expect_sums_of_vessel_csv(const fs::path& run, bool with_couples) {
   const Table vessel(run / "vessel.csv");
-  const nilas::Hdf5Reader file(run / "contacts.h5");
+  const nilas::hdf5::Hdf5Reader file(run / "contacts.h5");
   const auto cog = nlohmann::json::parse(read_text(run / "summary.json"))["vessel"]["cog_m"].get<std::vector<double>>();
   const Vectors p(file, "", "_m"), p_V(file, "hull_", "_m"), f(file, "f", "_N"), impulse(file, "impulse_", "_Ns");
   ASSERT_EQ(file.has("contacts/couple_x_Nm"), with_couples);
@@ -101,7 +101,7 @@ TEST(ContactsFile, SumsToTheLoadsOfVesselCsv) {
     ASSERT_EQ(result.exit_code, 0) << result.err;
     expect_sums_of_vessel_csv(folder / scene, scene == "rolling");
   }
-  const nilas::Hdf5Reader file(folder / "towed/contacts.h5");
+  const nilas::hdf5::Hdf5Reader file(folder / "towed/contacts.h5");
   const auto status = file.wide_integers("contacts/status");
   for (const int kind : {0, 2}) EXPECT_GT(std::count(status.begin(), status.end(), kind), 0) << kind;
   const Vectors n(file, "n", ""), f(file, "f", "_N");
@@ -126,7 +126,7 @@ TEST(ContactsFile, SumsToTheLoadsOfStructuresCsvAlsoAfterABreak) {
   ASSERT_GT(Table(folder / "run/events.csv").rows(), 0u);
   const double broke = Table(folder / "run/events.csv")["time_s"][0];
   const Table loads(folder / "run/structures.csv");
-  const nilas::Hdf5Reader file(folder / "run/contacts.h5");
+  const nilas::hdf5::Hdf5Reader file(folder / "run/contacts.h5");
   const auto index = file.wide_integers("steps"), body = file.wide_integers("contacts/body");
   const auto fx = file.exact_numbers("contacts/fx_N");
   ASSERT_EQ(index.size(), 2 * loads.rows());
@@ -161,7 +161,7 @@ TEST(ContactsFile, IsWrittenWhereTheSceneAsksForIt) {
   run("stack.xml --out hull");
   EXPECT_FALSE(fs::exists(folder / "hull/contacts.h5")) << "there is no hull";
   run("stack.xml --set output/@contacts=all --out all");
-  const nilas::Hdf5Reader file(folder / "all/contacts.h5");
+  const nilas::hdf5::Hdf5Reader file(folder / "all/contacts.h5");
   EXPECT_FALSE(file.has("contacts/hull_x_m"));
   const auto index = file.wide_integers("steps"), body = file.wide_integers("contacts/body");
   const auto status = file.wide_integers("contacts/status");
@@ -180,7 +180,7 @@ TEST(ContactsFile, AKilledRunLeavesItsSteps) {
   const ScratchFolder folder;
   folder.write("towed.xml", ice_scene(k_towed));
   ASSERT_EQ(run_nilas("run towed.xml --quiet --out whole", folder.path()).exit_code, 0);
-  const nilas::Hdf5Reader whole(folder / "whole/contacts.h5");
+  const nilas::hdf5::Hdf5Reader whole(folder / "whole/contacts.h5");
   const auto whole_index = whole.wide_integers("steps");
   const auto whole_f = whole.exact_numbers("contacts/fx_N");
   for (const std::size_t rows : {30u, 110u, 170u}) {
@@ -188,7 +188,7 @@ TEST(ContactsFile, AKilledRunLeavesItsSteps) {
     Started run("run towed.xml --quiet --out " + out, folder.path());
     ASSERT_TRUE(run.reaches(folder / (out + "/steps.csv"), rows));
     run.stop(SIGKILL);
-    const nilas::Hdf5Reader cut(folder / (out + "/contacts.h5"));
+    const nilas::hdf5::Hdf5Reader cut(folder / (out + "/contacts.h5"));
     const auto index = cut.wide_integers("steps");
     ASSERT_LE(index.size(), whole_index.size());
     EXPECT_TRUE(std::equal(index.begin(), index.end(), whole_index.begin()));

@@ -73,7 +73,7 @@ class IceLoad : public ::testing::Test {
       const double angle = 2 * 3.14159265358979323846 * k / k_sides;
       return nilas::Vec3(radius * std::cos(angle), radius * std::sin(angle), z);
     };
-    nilas::TriangleMesh cone;
+    nilas::geometry::TriangleMesh cone;
     for (int k = 0; k < k_sides; ++k) cone.vertices.push_back(corner(k, 1.0, -0.5));
     for (int k = 0; k < k_sides; ++k) cone.vertices.push_back(corner(k, 0.4, 0.5));
     for (int k = 0; k < k_sides; ++k) {
@@ -85,7 +85,7 @@ class IceLoad : public ::testing::Test {
       cone.triangles.push_back({0, k + 1, k});
       cone.triangles.push_back({k_sides, k_sides + k, k_sides + k + 1});
     }
-    nilas::write_stl(cone, folder_ / "cone.stl");
+    nilas::geometry::write_stl(cone, folder_ / "cone.stl");
   }
 
   /// Writes a scene of ice that drifts towards +x against a structure at the origin.

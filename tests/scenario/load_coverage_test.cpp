@@ -17,34 +17,34 @@ using namespace nilas;
 constexpr double k_until = 3.9;  // [s]; ice meets the ship at 2.77 s and breaks from 2.87 s on
 
 struct Said {
-  ChannelError error;
+  output::ChannelError error;
   bool at_least = false;
   double fast = 0;  ///< Half width of the interval if the load's memory is short [N].
 };
 
-Said run(const Overrides& settings, std::uint64_t twin) {
-  Scene scene = read_scene(nilas_test::shipped_scene("level-ice.xml"), settings);
+Said run(const scene::Overrides& settings, std::uint64_t twin) {
+  scene::Scene scene = scene::read_scene(nilas_test::shipped_scene("level-ice.xml"), settings);
   scene.twin = twin;
   WarningCounts warnings(make_logger("off", ""));
-  Simulation simulation(scene, 1, warnings);
-  RunStatistics statistics(simulation.info());
-  const VesselChannels channels(simulation.info());
+  sim::Simulation simulation(scene, 1, warnings);
+  output::RunStatistics statistics(simulation.info());
+  const output::VesselChannels channels(simulation.info());
   statistics.start(scene.time.start, simulation.initial_ledger());
   std::vector<double> values;
   while (simulation.time() < k_until - 0.5 * scene.time.step) {
-    const StepRecord record = simulation.step();
+    const sim::StepRecord record = simulation.step();
     channels.read(record.vessel.value(), values);
     statistics.add(record, values);
   }
-  const LoadError error = statistics.load_error(nullptr).value();
+  const output::LoadError error = statistics.load_error(nullptr).value();
   EXPECT_TRUE(error.ice_broke);
   const auto& names = statistics.load_names();
   const auto channel = std::find(names.begin(), names.end(), "ice_resistance_N") - names.begin();
   const auto series = statistics.window().of(statistics.load_series(static_cast<std::size_t>(channel)));
-  return {error.channels[error.headline], error.solver_at_least, mean_error(series).half_width()};
+  return {error.channels[error.headline], error.solver_at_least, output::mean_error(series).half_width()};
 }
 
-std::vector<Said> twins(const Overrides& settings, int count) {
+std::vector<Said> twins(const scene::Overrides& settings, int count) {
   std::vector<Said> all;
   for (int k = 0; k < count; ++k) all.push_back(run(settings, static_cast<std::uint64_t>(k)));
   return all;

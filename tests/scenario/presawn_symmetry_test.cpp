@@ -26,20 +26,22 @@ struct Course {
 };
 
 /// Pairs of mirror images. Free floes come in the grid's order; the image of each is found from the initial positions.
-std::vector<std::pair<std::size_t, std::size_t>> mirror_pairs(const Bodies& bodies) {
+std::vector<std::pair<std::size_t, std::size_t>> mirror_pairs(const bodies::Bodies& bodies) {
   std::vector<std::pair<std::size_t, std::size_t>> pairs;
   for (std::size_t a = 0; a < bodies.p_GB.size(); ++a)
     for (std::size_t b = 0; b < bodies.p_GB.size(); ++b) {
-      if (bodies.motion[a] != Motion::free || bodies.motion[b] != Motion::free || bodies.p_GB[a].y() <= 0) continue;
+      if (bodies.motion[a] != bodies::Motion::free || bodies.motion[b] != bodies::Motion::free ||
+          bodies.p_GB[a].y() <= 0)
+        continue;
       if ((bodies.p_GB[a] - test::mirrored(bodies.p_GB[b])).norm() < 1e-9) pairs.emplace_back(a, b);
     }
   return pairs;
 }
 
 Course run(std::uint64_t seed) {
-  const Scene scene = test::presawn('a', seed, k_perturbation);
+  const scene::Scene scene = test::presawn('a', seed, k_perturbation);
   WarningCounts warnings(make_logger("off", ""));
-  Simulation simulation(scene, 1, warnings);
+  sim::Simulation simulation(scene, 1, warnings);
   const auto pairs = mirror_pairs(simulation.bodies());
   EXPECT_FALSE(pairs.empty());
   Course course;
@@ -47,7 +49,7 @@ Course run(std::uint64_t seed) {
             steps = static_cast<int>(k_end) * per_second;
   double worst = 0;
   for (int k = 1; k <= steps; ++k) {
-    const StepRecord record = simulation.step();
+    const sim::StepRecord record = simulation.step();
     course.port += record.vessel->contact_port.x() / steps;
     course.starboard += record.vessel->contact_starboard.x() / steps;
     const auto& p = simulation.bodies().p_GB;
@@ -100,21 +102,21 @@ INSTANTIATE_TEST_SUITE_P(Cases, PresawnImages, testing::Values(Exact{'a', 5}, Ex
                          [](const auto& one) { return std::string(1, one.param.letter); });
 
 TEST_P(PresawnImages, StayImagesToTheLastBitWithoutRoundingInTheOrderOfContacts) {
-  Scene scene = test::shipped_presawn(GetParam().letter);
+  scene::Scene scene = test::shipped_presawn(GetParam().letter);
   scene.contact.solver = SolverName::newton_order_free;
   WarningCounts warnings(make_logger("off", ""));
-  Simulation simulation(scene, 1, warnings);
+  sim::Simulation simulation(scene, 1, warnings);
   const test::MirrorImages images(simulation.bodies());
   ASSERT_TRUE(images.paired());
   EXPECT_TRUE(images.built_as_images(simulation.bodies()));
   int across = 0;
   for (const long steps = std::lround(GetParam().end / scene.time.step); simulation.steps() < steps;) {
-    const StepRecord record = simulation.step();
+    const sim::StepRecord record = simulation.step();
     EXPECT_FALSE(record.solver_short) << record.t;
     EXPECT_TRUE(record.positions_corrected) << record.t;
     ASSERT_EQ(images.measure(simulation).first_stage(), "") << record.t;
     EXPECT_EQ(record.vessel->contact.force.y(), 0) << record.t;
-    for (const ContactPoint& c : simulation.last_problem().points) across += images.image(c.a) == c.b ? 1 : 0;
+    for (const detect::ContactPoint& c : simulation.last_problem().points) across += images.image(c.a) == c.b ? 1 : 0;
   }
   EXPECT_GT(across, 50) << "no pieces met across the plane";
 }

@@ -17,15 +17,15 @@ struct Outcome {
 };
 
 Outcome outcome(char letter, int triangles, double until, double look_every) {
-  const Scene scene = test::presawn(letter, 0, 0, triangles);
+  const scene::Scene scene = test::presawn(letter, 0, 0, triangles);
   WarningCounts warnings(make_logger("off", ""));
-  Simulation simulation(scene, 1, warnings);
+  sim::Simulation simulation(scene, 1, warnings);
   const test::PresawnOverlap overlap(simulation);
   const auto look = static_cast<long>(std::lround(look_every / scene.time.step));
   Outcome out;
   long loaded = 0;
   while (simulation.time() < until - 0.5 * scene.time.step) {
-    const StepRecord record = simulation.step();
+    const sim::StepRecord record = simulation.step();
     out.penetration = std::max(out.penetration, record.penetration_max);
     if (loaded > 0 || !record.vessel->contact.force.isZero(0)) ++loaded, out.load += record.vessel->contact.force.x();
     if (record.step % look != 0) continue;
@@ -71,7 +71,7 @@ INSTANTIATE_TEST_SUITE_P(Cases, Presawn,
 
 /// The oracle itself is compared with all axes of plain brute force over random poses.
 TEST(PresawnOverlap, AgreesWithAllAxes) {
-  const Shape shape = box_shape({2, 0.7, 0.9});
+  const geometry::Shape shape = geometry::box_shape({2, 0.7, 0.9});
   const test::ConvexOracle hull(shape.surface, Mat3::Identity(), Vec3::Zero());
   const oracle::Solid same = oracle::posed(shape.parts[0], Mat3::Identity(), Vec3::Zero());
   RandomStream random(3, "poses");
@@ -80,7 +80,7 @@ TEST(PresawnOverlap, AgreesWithAllAxes) {
   for (int k = 0; k < 300; ++k) {
     const Quat q = Quat(number(), number(), number(), number()).normalized();
     const Vec3 at(1.2 * number(), 0.6 * number(), 0.7 * number());
-    const oracle::Solid piece = oracle::posed(make_box({0.5, 0.4, 0.1}), q.toRotationMatrix(), at);
+    const oracle::Solid piece = oracle::posed(geometry::make_box({0.5, 0.4, 0.1}), q.toRotationMatrix(), at);
     const double exact = oracle::all_axes(same, piece).front().s;
     if (exact >= 0) continue;
     ++overlapping;

@@ -7,8 +7,8 @@
 namespace nilas::test {
 
 /// Two contacts that close at 1 m/s with W_aa = `diagonal` times the unit matrix, normals coupled by `coupling` [1/kg].
-inline LocalProblem coupled_pair(double coupling, double diagonal = 1) {
-  LocalProblem problem;
+inline contact::LocalProblem coupled_pair(double coupling, double diagonal = 1) {
+  contact::LocalProblem problem;
   for (int a = 0; a < 2; ++a) {
     for (int b = 0; b < 2; ++b) {
       problem.column.push_back(b);
@@ -29,8 +29,8 @@ inline LocalProblem coupled_pair(double coupling, double diagonal = 1) {
 
 /// A pair whose solutions are zero impulses and normal impulses of 1 N s. Larger impulses grow by `factor` per visit of
 /// a sweep.
-inline LocalProblem runaway_pair(double factor, double diagonal) {
-  LocalProblem problem = coupled_pair(-factor * diagonal, diagonal);
+inline contact::LocalProblem runaway_pair(double factor, double diagonal) {
+  contact::LocalProblem problem = coupled_pair(-factor * diagonal, diagonal);
   problem.q[0] = problem.q[3] = (factor - 1) * diagonal;
   return problem;
 }

@@ -8,8 +8,8 @@
 namespace nilas::test {
 
 /// A particle above a fixed plane that has the velocity (u_N, u_T1, u_T2) [m/s] before contact.
-inline ContactProblem particle(Law law, double mass, double mu, const Vec3& before) {
-  ContactProblem problem;
+inline contact::ContactProblem particle(Law law, double mass, double mu, const Vec3& before) {
+  contact::ContactProblem problem;
   problem.law = law;
   problem.h = 0.01;
   problem.add_block(mass * Mat3::Identity());
@@ -20,8 +20,8 @@ inline ContactProblem particle(Law law, double mass, double mu, const Vec3& befo
 }
 
 /// Expects that a solver of one contact has converged to the contact velocity `expected` [m/s].
-inline void expect_velocity(const ContactSolution& solution, const Vec3& expected, double tolerance) {
-  EXPECT_EQ(solution.status, SolveStatus::converged) << solution.message;
+inline void expect_velocity(const contact::ContactSolution& solution, const Vec3& expected, double tolerance) {
+  EXPECT_EQ(solution.status, contact::SolveStatus::converged) << solution.message;
   EXPECT_LT((solution.u - expected).norm(), tolerance) << solution.u.transpose();
 }
 

@@ -78,7 +78,7 @@ inline Outline with_runs(const Outline& outline, double apart, RandomStream& ran
   return out;
 }
 
-inline bool sound(const Outline& outline) { return is_simple(outline) && !is_clockwise(outline); }
+inline bool sound(const Outline& outline) { return geometry::is_simple(outline) && !geometry::is_clockwise(outline); }
 
 /// Returns an outline that is simple in spite of rounding, scaled and moved.
 template <class Make>

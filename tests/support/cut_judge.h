@@ -23,10 +23,10 @@ inline double perimeter(const Outline& outline) {
 }
 
 /// Area gained or lost [m^2].
-inline double area_error(const Outline& outline, const std::vector<CutPiece>& pieces) {
+inline double area_error(const Outline& outline, const std::vector<fracture::CutPiece>& pieces) {
   double sum = 0;
-  for (const CutPiece& piece : pieces) sum += polygon_moments(piece.outline).area;
-  return std::abs(sum - polygon_moments(outline).area);
+  for (const fracture::CutPiece& piece : pieces) sum += geometry::polygon_moments(piece.outline).area;
+  return std::abs(sum - geometry::polygon_moments(outline).area);
 }
 
 inline Eigen::AlignedBox2d box_of(const Outline& outline) {
@@ -38,32 +38,32 @@ inline Eigen::AlignedBox2d box_of(const Outline& outline) {
 /// Deepest overlap between two of the outlines, over their convex parts by separating axes [m].
 inline double deepest_overlap(const std::vector<Outline>& outlines) {
   std::vector<std::vector<Outline>> parts;
-  for (const Outline& outline : outlines) parts.push_back(convex_pieces(outline));
+  for (const Outline& outline : outlines) parts.push_back(geometry::convex_pieces(outline));
   double deepest = 0;
   for (std::size_t i = 0; i < parts.size(); ++i)
     for (std::size_t j = i + 1; j < parts.size(); ++j)
       for (const Outline& a : parts[i])
         for (const Outline& b : parts[j])
-          if (box_of(a).intersects(box_of(b))) deepest = std::max(deepest, convex_overlap(a, b));
+          if (box_of(a).intersects(box_of(b))) deepest = std::max(deepest, geometry::convex_overlap(a, b));
   return deepest;
 }
 
-inline double deepest_overlap(const std::vector<CutPiece>& pieces) {
+inline double deepest_overlap(const std::vector<fracture::CutPiece>& pieces) {
   std::vector<Outline> outlines;
-  for (const CutPiece& piece : pieces) outlines.push_back(piece.outline);
+  for (const fracture::CutPiece& piece : pieces) outlines.push_back(piece.outline);
   return deepest_overlap(outlines);
 }
 
 /// A uniform plate with this outline, moved to its centroid, at a random pose and with random velocities.
-inline FloeState random_floe(Outline outline, RandomStream& random) {
+inline fracture::FloeState random_floe(Outline outline, RandomStream& random) {
   outline = about_centroid(std::move(outline));
-  const double size_of_floe = std::sqrt(polygon_moments(outline).area);
+  const double size_of_floe = std::sqrt(geometry::polygon_moments(outline).area);
   const auto vector = [&](double size) {
     return Vec3(size * random.normal(), size * random.normal(), size * random.normal());
   };
-  FloeState floe;
+  fracture::FloeState floe;
   floe.thickness = random.uniform(0.02, 0.2) * size_of_floe;
-  const MassProperties plate = prism_properties(outline, floe.thickness, 900);
+  const geometry::MassProperties plate = geometry::prism_properties(outline, floe.thickness, 900);
   floe.mass = plate.mass;
   floe.inertia_B = plate.inertia;
   floe.pose.q = random_attitude(random);
@@ -80,16 +80,16 @@ struct MotionError {
   double worst() const { return std::max({mass, momentum, angular_momentum, energy}); }
 };
 
-inline MotionError motion_error(const FloeState& floe, const FloeCut& cut) {
+inline MotionError motion_error(const fracture::FloeState& floe, const fracture::FloeCut& cut) {
   const Vec3& about = floe.pose.p;
-  const MotionAccount before = motion_account(floe, about);
-  MotionAccount after = cut.brash_account;
+  const fracture::MotionAccount before = fracture::motion_account(floe, about);
+  fracture::MotionAccount after = cut.brash_account;
   after += cut.extruded_account;
   // Positions are rounded, which changes the lever arms of the momenta.
-  const double size = std::sqrt(polygon_moments(floe.outline).area);
+  const double size = std::sqrt(geometry::polygon_moments(floe.outline).area);
   double momentum = before.momentum.norm(), angular = before.angular_momentum.norm() + size * momentum;
-  for (const FloePiece& piece : cut.pieces) {
-    const MotionAccount part = motion_account(piece.state, about);
+  for (const fracture::FloePiece& piece : cut.pieces) {
+    const fracture::MotionAccount part = fracture::motion_account(piece.state, about);
     after += part;
     momentum += part.momentum.norm();
     angular += part.angular_momentum.norm();
@@ -100,9 +100,9 @@ inline MotionError motion_error(const FloeState& floe, const FloeCut& cut) {
 }
 
 /// The pieces in the floe's plane, with their own rounding. Pieces that rounding makes touch themselves are left out.
-inline std::vector<Outline> pieces_in_plane(const FloeState& floe, const FloeCut& cut) {
+inline std::vector<Outline> pieces_in_plane(const fracture::FloeState& floe, const fracture::FloeCut& cut) {
   std::vector<Outline> outlines;
-  for (const FloePiece& piece : cut.pieces) {
+  for (const fracture::FloePiece& piece : cut.pieces) {
     const Vec3 r = floe.pose.q.conjugate() * (piece.state.pose.p - floe.pose.p);
     Outline outline = piece.state.outline;
     for (Vec2& p : outline) p += r.head<2>();

@@ -37,7 +37,7 @@ struct StepAsymmetry {
 class MirrorImages {
  public:
   /// Finds the image of each body from the initial poses, to within `near` [m]. paired() is false when a body has none.
-  explicit MirrorImages(const Bodies& bodies, double near = 1e-9) : image_(bodies.p_GB.size(), -1) {
+  explicit MirrorImages(const bodies::Bodies& bodies, double near = 1e-9) : image_(bodies.p_GB.size(), -1) {
     for (int a = 0; a < bodies.size(); ++a)
       for (int b = 0; b < bodies.size(); ++b)
         if (bodies.kind[a] == bodies.kind[b] && bodies.motion[a] == bodies.motion[b] &&
@@ -49,12 +49,12 @@ class MirrorImages {
   int image(int body) const { return image_[body]; }
 
   /// Whether every body has the mirrored surface, convex pieces, mass and inertia of its image, to the last bit.
-  bool built_as_images(const Bodies& bodies) const {
+  bool built_as_images(const bodies::Bodies& bodies) const {
     for (int b = 0; b < bodies.size(); ++b) {
       const std::size_t i = b, k = image(b);
       const Vec3 signs(1, -1, 1);
       const Mat3 inertia = signs.asDiagonal() * bodies.inertia_B[k] * signs.asDiagonal();
-      const bool moves = bodies.motion[i] != Motion::fixed;
+      const bool moves = bodies.motion[i] != bodies::Motion::fixed;
       if (moves && (bodies.mass[i] != bodies.mass[k] || bodies.inertia_B[i] != inertia)) return false;
       if (corners(*bodies.shape[i], 1) != corners(*bodies.shape[k], -1)) return false;
     }
@@ -62,19 +62,20 @@ class MirrorImages {
   }
 
   /// The asymmetry of the present state and of the contacts of the last step.
-  StepAsymmetry measure(const Simulation& simulation) const {
+  StepAsymmetry measure(const sim::Simulation& simulation) const {
     StepAsymmetry found;
-    const Bodies& bodies = simulation.bodies();
+    const bodies::Bodies& bodies = simulation.bodies();
     for (int b = 0; b < bodies.size(); ++b) {
       const std::size_t i = b, k = image(b);
       const auto raise = [](double& worst, double difference) { worst = std::max(worst, difference); };
       raise(found.poses, (bodies.p_GB[i] - mirrored(bodies.p_GB[k])).norm());
       const Mat3 turned = Vec3(1, -1, 1).asDiagonal() * bodies.R_GB[k] * Vec3(1, -1, 1).asDiagonal();
-      if (bodies.motion[i] == Motion::free) raise(found.attitudes, (bodies.R_GB[i] - turned).cwiseAbs().maxCoeff());
+      if (bodies.motion[i] == bodies::Motion::free)
+        raise(found.attitudes, (bodies.R_GB[i] - turned).cwiseAbs().maxCoeff());
       raise(found.velocities, (bodies.v_GB[i] - mirrored(bodies.v_GB[k])).norm());
       raise(found.velocities, (bodies.w_GB[i] - mirrored_axial(bodies.w_GB[k])).norm());
     }
-    const SolvedProblem& last = simulation.last_problem();
+    const contact::SolvedProblem& last = simulation.last_problem();
     found.loads = load_difference(last);
     compare_contacts(last, found);
     return found;
@@ -88,19 +89,19 @@ class MirrorImages {
   };
 
   /// The vertices of the surface and of all convex pieces, sorted. Their y is multiplied by `sign`.
-  static std::vector<std::array<double, 3>> corners(const Shape& shape, double sign) {
+  static std::vector<std::array<double, 3>> corners(const geometry::Shape& shape, double sign) {
     std::vector<std::array<double, 3>> all;
     const auto add = [&](const std::vector<Vec3>& vertices) {
       for (const Vec3& x : vertices) all.push_back({x.x(), sign * x.y(), x.z()});
     };
     add(shape.surface.vertices);
-    for (const ConvexPolytope& part : shape.parts) add(part.vertices);
+    for (const geometry::ConvexPolytope& part : shape.parts) add(part.vertices);
     std::sort(all.begin(), all.end());
     return all;
   }
 
-  double load_difference(const SolvedProblem& last) const {
-    const ContactProblem& problem = last.problem;
+  double load_difference(const contact::SolvedProblem& last) const {
+    const contact::ContactProblem& problem = last.problem;
     std::vector<int> block(image_.size(), -1);
     for (std::size_t c = 0; c < last.points.size(); ++c) {
       block[last.points[c].a] = problem.pairs[c].a;
@@ -118,10 +119,10 @@ class MirrorImages {
     return worst;
   }
 
-  std::vector<Touch> touches(const SolvedProblem& last, bool in_the_mirror) const {
+  std::vector<Touch> touches(const contact::SolvedProblem& last, bool in_the_mirror) const {
     std::vector<Touch> all;
     for (std::size_t c = 0; c < last.points.size(); ++c) {
-      const ContactPoint& point = last.points[c];
+      const detect::ContactPoint& point = last.points[c];
       int a = point.a, b = point.b;
       Vec3 p = point.p, n = point.n, impulse = last.impulses[c];
       if (in_the_mirror) {
@@ -138,7 +139,7 @@ class MirrorImages {
     return all;
   }
 
-  void compare_contacts(const SolvedProblem& last, StepAsymmetry& found) const {
+  void compare_contacts(const contact::SolvedProblem& last, StepAsymmetry& found) const {
     const std::vector<Touch> own = touches(last, false), images = touches(last, true);
     for (std::size_t c = 0; c < own.size(); ++c) found.contacts = found.contacts && own[c].what == images[c].what;
     if (!found.contacts) return;

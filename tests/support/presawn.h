@@ -18,21 +18,21 @@
 namespace nilas::test {
 
 /// Scene presawn-<letter> as shipped.
-inline Scene shipped_presawn(char letter) {
-  return read_scene(std::string(NILAS_SOURCE_DIR) + "/apps/scenes/presawn-" + letter + ".xml");
+inline scene::Scene shipped_presawn(char letter) {
+  return scene::read_scene(std::string(NILAS_SOURCE_DIR) + "/apps/scenes/presawn-" + letter + ".xml");
 }
 
 /// Scene presawn-<letter> with its grid as single floes, each moved by up to `amount` [m] in x and y; seed 0 moves
 /// nothing. `triangles`: number of triangles of a generated hull that replaces the scene's.
-inline Scene presawn(char letter, std::uint64_t seed = 0, double amount = 0, std::optional<int> triangles = {}) {
-  Scene scene = shipped_presawn(letter);
+inline scene::Scene presawn(char letter, std::uint64_t seed = 0, double amount = 0, std::optional<int> triangles = {}) {
+  scene::Scene scene = shipped_presawn(letter);
   if (triangles) {
     scene.vessel->hull.clear();
     scene.vessel->generate = {HullKind::icebreaker, {{"triangles", *triangles}}};
   }
-  const FieldScene field = scene.ice->fields.at(0);
-  const auto& cut = std::get<GridFieldScene>(field.form);
-  GridSpec grid;
+  const scene::FieldScene field = scene.ice->fields.at(0);
+  const auto& cut = std::get<scene::GridFieldScene>(field.form);
+  field::GridSpec grid;
   grid.low = {cut.region[0], cut.region[1]};
   grid.high = {cut.region[2], cut.region[3]};
   grid.rows = cut.rows;
@@ -41,9 +41,9 @@ inline Scene presawn(char letter, std::uint64_t seed = 0, double amount = 0, std
   grid.shear = cut.shear_deg * k_deg;
   grid.stagger = cut.stagger;
   RandomStream random(seed, "perturbation");
-  for (const auto& piece : grid_field(grid).floes) {
+  for (const auto& piece : field::grid_field(grid).floes) {
     const Vec2 shift = seed == 0 ? Vec2(0, 0) : Vec2(random.uniform(-amount, amount), random.uniform(-amount, amount));
-    FloeScene floe;
+    scene::FloeScene floe;
     floe.outline = piece.outline;
     for (auto& p : floe.outline) p += shift;
     floe.velocity = field.velocity;
@@ -57,7 +57,7 @@ inline Scene presawn(char letter, std::uint64_t seed = 0, double amount = 0, std
 /// whose cross product is a normal of the Minkowski difference.
 class ConvexOracle {
  public:
-  ConvexOracle(const TriangleMesh& mesh, const Mat3& R, const Vec3& p) {
+  ConvexOracle(const geometry::TriangleMesh& mesh, const Mat3& R, const Vec3& p) {
     for (const Vec3& v : mesh.vertices) hull_.vertices.push_back(R * v + p);
     std::map<std::pair<int, int>, Vec3> first_side;
     for (const auto& triangle : mesh.triangles) {
@@ -120,9 +120,9 @@ class ConvexOracle {
 /// Measures how deep the free pieces of a scene with a convex fixed hull lie in it and in the fixed sheets.
 class PresawnOverlap {
  public:
-  explicit PresawnOverlap(const Simulation& simulation)
+  explicit PresawnOverlap(const sim::Simulation& simulation)
       : simulation_(simulation), hull_([&] {
-          const Bodies& bodies = simulation.bodies();
+          const bodies::Bodies& bodies = simulation.bodies();
           const auto vessel = static_cast<std::size_t>(simulation.vessel_index());
           // The mesh is the hull's triangles, not the faces that the contact search merged from them.
           return ConvexOracle(bodies.shape[vessel]->surface, bodies.R_GB[vessel], bodies.p_GB[vessel]);
@@ -133,14 +133,15 @@ class PresawnOverlap {
   };
   /// The largest depths at the present poses.
   Depth measure() const {
-    const Bodies& bodies = simulation_.bodies();
+    const bodies::Bodies& bodies = simulation_.bodies();
     Depth depth;
     for (std::size_t b = 0; b < bodies.id.size(); ++b) {
-      if (bodies.motion[b] != Motion::free) continue;
+      if (bodies.motion[b] != bodies::Motion::free) continue;
       const oracle::Solid piece = oracle::posed(bodies, static_cast<int>(b));
       depth.hull = std::max(depth.hull, -hull_.separation(piece));
       for (std::size_t s = 0; s < bodies.id.size(); ++s)
-        if (bodies.kind[s] == BodyKind::floe && bodies.motion[s] == Motion::fixed && is_near(bodies, b, s))
+        if (bodies.kind[s] == bodies::BodyKind::floe && bodies.motion[s] == bodies::Motion::fixed &&
+            is_near(bodies, b, s))
           depth.sheets =
               std::max(depth.sheets, -oracle::all_axes(oracle::posed(bodies, static_cast<int>(s)), piece).front().s);
     }
@@ -149,13 +150,13 @@ class PresawnOverlap {
 
  private:
   /// Whether a piece is in reach of a sheet, which lies on one side of the channel.
-  static bool is_near(const Bodies& bodies, std::size_t piece, std::size_t sheet) {
+  static bool is_near(const bodies::Bodies& bodies, std::size_t piece, std::size_t sheet) {
     const double inner = 0.85;  // Inner edge of the sheets, |y| [m].
     const bool same_side = bodies.p_GB[piece].y() * bodies.p_GB[sheet].y() > 0;
     return same_side && std::abs(bodies.p_GB[piece].y()) + bodies.shape[piece]->bounding_radius > inner;
   }
 
-  const Simulation& simulation_;
+  const sim::Simulation& simulation_;
   ConvexOracle hull_;
 };
 

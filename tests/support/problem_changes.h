@@ -9,46 +9,47 @@
 namespace nilas::test {
 
 /// The same problem without its contacts.
-inline ContactProblem without_contacts(const ContactProblem& problem) {
-  ContactProblem out = problem;
+inline contact::ContactProblem without_contacts(const contact::ContactProblem& problem) {
+  contact::ContactProblem out = problem;
   out.pairs.clear();
   out.jacobian_offset = {0};
   out.jacobian_data.clear();
-  for_each_list(out, problem, [](auto& list, const auto&) { list.clear(); });
+  contact::for_each_list(out, problem, [](auto& list, const auto&) { list.clear(); });
   out.w.resize(0);
   return out;
 }
 
 /// Appends contact c of `from`, with a new key and optionally with its bodies' roles swapped (rows keep their sign).
-inline void copy_contact(const ContactProblem& from, int c, std::uint64_t key, bool swapped, ContactProblem& to) {
+inline void copy_contact(const contact::ContactProblem& from, int c, std::uint64_t key, bool swapped,
+                         contact::ContactProblem& to) {
   const auto i = static_cast<std::size_t>(c);
   const auto& pair = from.pairs[i];
   if (swapped)
     to.add_contact(pair.b, from.jacobian_b(c), pair.a, from.jacobian_a(c), key);
   else
     to.add_contact(pair.a, from.jacobian_a(c), pair.b, from.jacobian_b(c), key);
-  for_each_list(to, from, [i](auto& list, const auto& source) { list.back() = source[i]; });
+  contact::for_each_list(to, from, [i](auto& list, const auto& source) { list.back() = source[i]; });
   to.key.back() = key;
   to.w.tail<3>() = from.w.segment<3>(3 * c);
 }
 
 /// The same problem with its contacts in another order.
-inline ContactProblem with_order(const ContactProblem& problem, const std::vector<int>& order) {
-  ContactProblem out = without_contacts(problem);
+inline contact::ContactProblem with_order(const contact::ContactProblem& problem, const std::vector<int>& order) {
+  contact::ContactProblem out = without_contacts(problem);
   for (const int c : order) copy_contact(problem, c, problem.key[c], false, out);
   return out;
 }
 
 /// The same problem with block lists swapped: A's rows take the place of B's. Velocities and impulses stay the same.
-inline ContactProblem with_swapped_sides(const ContactProblem& problem) {
-  ContactProblem out = without_contacts(problem);
+inline contact::ContactProblem with_swapped_sides(const contact::ContactProblem& problem) {
+  contact::ContactProblem out = without_contacts(problem);
   for (int c = 0; c < problem.num_contacts(); ++c) copy_contact(problem, c, problem.key[c], true, out);
   return out;
 }
 
 /// The same problem with every contact twice. Bounds of the impulse hold for each copy.
-inline ContactProblem with_duplicates(const ContactProblem& problem) {
-  ContactProblem out = problem;
+inline contact::ContactProblem with_duplicates(const contact::ContactProblem& problem) {
+  contact::ContactProblem out = problem;
   for (int c = 0; c < problem.num_contacts(); ++c)
     copy_contact(problem, c, 1000000 + static_cast<std::uint64_t>(c), false, out);
   return out;
@@ -56,7 +57,7 @@ inline ContactProblem with_duplicates(const ContactProblem& problem) {
 
 /// The same problem with the tangent rows of every contact turned about the normal, each by its own multiple of
 /// `angle`.
-inline ContactProblem with_turned_tangents(ContactProblem problem, double angle) {
+inline contact::ContactProblem with_turned_tangents(contact::ContactProblem problem, double angle) {
   for (int contact = 0; contact < problem.num_contacts(); ++contact) {
     const double c = std::cos(angle * (1 + contact)), s = std::sin(angle * (1 + contact));
     for (const auto& rows : {problem.jacobian_a(contact), problem.jacobian_b(contact)}) {
@@ -78,7 +79,7 @@ inline ContactProblem with_turned_tangents(ContactProblem problem, double angle)
 
 /// The same problem with all masses and momenta times a factor: velocities stay the same, impulses are multiplied by
 /// the factor.
-inline ContactProblem with_mass_scale(ContactProblem problem, double factor) {
+inline contact::ContactProblem with_mass_scale(contact::ContactProblem problem, double factor) {
   for (double& m : problem.mass_data) m *= factor;
   problem.f *= factor;
   for (double& limit : problem.force_limit) limit *= factor;
@@ -87,7 +88,7 @@ inline ContactProblem with_mass_scale(ContactProblem problem, double factor) {
 }
 
 /// The same problem with all velocities times a factor.
-inline ContactProblem with_speed_scale(ContactProblem problem, double factor) {
+inline contact::ContactProblem with_speed_scale(contact::ContactProblem problem, double factor) {
   problem.f *= factor;
   problem.w *= factor;
   for (double& limit : problem.force_limit) limit *= factor;

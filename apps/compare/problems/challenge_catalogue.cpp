@@ -4,7 +4,7 @@
 
 #include "contact/challenge/challenge_problems.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 namespace {
 
@@ -13,7 +13,7 @@ using namespace challenge;
 constexpr double k_step = 0.01, k_gravity = 9.81;  // [s] [m/s^2]
 
 /// Multiplies a body's mass and inertia; its free velocity stays.
-void make_heavier(ContactProblem& problem, int block, double factor) {
+void make_heavier(contact::ContactProblem& problem, int block, double factor) {
   const auto begin = static_cast<std::ptrdiff_t>(problem.mass_offset[block]),
              end = static_cast<std::ptrdiff_t>(problem.mass_offset[static_cast<std::size_t>(block) + 1]);
   for (auto k = begin; k < end; ++k) problem.mass_data[k] *= factor;
@@ -21,8 +21,8 @@ void make_heavier(ContactProblem& problem, int block, double factor) {
 }
 
 /// A wedge pressed between two walls that lean outwards by 10 degrees: friction alone could hold any squeeze.
-ContactProblem jammed_wedge() {
-  ContactProblem problem;
+contact::ContactProblem jammed_wedge() {
+  contact::ContactProblem problem;
   problem.h = k_step;
   RigidBody wedge{100, 10 * Mat3::Identity()};
   wedge.v = Vec3(0, 0, -1);
@@ -37,8 +37,8 @@ ContactProblem jammed_wedge() {
 }
 
 /// A box on `side` x `side` feet, kicked sideways less than friction holds.
-ContactProblem table(int side) {
-  ContactProblem problem;
+contact::ContactProblem table(int side) {
+  contact::ContactProblem problem;
   problem.h = k_step;
   RigidBody box{10, 10.0 / 6 * Mat3::Identity(), Vec3(0, 0, 0.5)};
   box.v = Vec3(0.2 * k_step * k_gravity, 0, -k_step * k_gravity);
@@ -51,8 +51,8 @@ ContactProblem table(int side) {
 }
 
 /// A stack of boxes that all slide, each at a speed and in a direction of its own.
-ContactProblem sliding_stack(int count) {
-  ContactProblem problem = box_stack(std::vector<double>(static_cast<std::size_t>(count), 1.0), 0.2);
+contact::ContactProblem sliding_stack(int count) {
+  contact::ContactProblem problem = box_stack(std::vector<double>(static_cast<std::size_t>(count), 1.0), 0.2);
   for (int k = 0; k < count; ++k) {
     const double speed = 0.5 * (k + 1);
     problem.f[6 * k] += speed * std::cos(1.0 * k);
@@ -62,8 +62,8 @@ ContactProblem sliding_stack(int count) {
 }
 
 /// Floes between walls, all driven towards the middle of the field.
-ContactProblem jammed_raft(int side) {
-  ContactProblem problem = raft(side, 0.6, 1, 7);
+contact::ContactProblem jammed_raft(int side) {
+  contact::ContactProblem problem = raft(side, 0.6, 1, 7);
   const double middle = 0.5 * (side - 1), mass = 90;
   for (int k = 0; k < side * side; ++k) {
     problem.f[6 * k] += 0.5 * mass * (middle - k % side);
@@ -73,8 +73,8 @@ ContactProblem jammed_raft(int side) {
 }
 
 /// A body of `ratio` times a floe's mass pushes through them.
-ContactProblem vessel_in_floes(int side, double ratio) {
-  ContactProblem problem = raft(side, 0.3, 0.8, 11);
+contact::ContactProblem vessel_in_floes(int side, double ratio) {
+  contact::ContactProblem problem = raft(side, 0.3, 0.8, 11);
   const int vessel = side * side / 2;
   problem.f.segment<6>(6 * vessel) << 2 * 90, 0, 0, 0, 0, 0;
   make_heavier(problem, vessel, ratio);
@@ -82,9 +82,9 @@ ContactProblem vessel_in_floes(int side, double ratio) {
 }
 
 /// Balls in a row on the ground, each against the next, with friction against rolling.
-ContactProblem rolling_balls(int count) {
+contact::ContactProblem rolling_balls(int count) {
   constexpr double radius = 0.5, mass = 2, length = 0.01;
-  ContactProblem problem;
+  contact::ContactProblem problem;
   problem.h = k_step;
   std::vector<RigidBody> balls;
   for (int k = 0; k < count; ++k) {
@@ -127,4 +127,4 @@ std::vector<Challenge> challenges() {
           {"vessel-1e6", "a vessel of a million times a floe's mass among 196", vessel_in_floes(14, 1e6)}};
 }
 
-}  // namespace nilas
+}  // namespace nilas::compare

@@ -5,14 +5,14 @@
 
 #include "contact/problem/problem.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 struct Challenge {
   std::string name, what;  ///< file name without extension; one line about the problem
-  ContactProblem problem;
+  contact::ContactProblem problem;
 };
 
 /// The problems, which are the same each time, small ones first.
 std::vector<Challenge> challenges();
 
-}  // namespace nilas
+}  // namespace nilas::compare

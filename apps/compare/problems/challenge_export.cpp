@@ -25,7 +25,7 @@
 #include "core/output/file/output_file.h"
 #include "core/output/run/claim_folder.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 namespace {
 
@@ -37,7 +37,7 @@ constexpr int k_most_iterations = 3000;                 // unlike a time limit, 
 /// A problem that is to be written.
 struct Source {
   std::string name, what;
-  std::function<std::optional<ContactProblem>(std::string& what)> make;
+  std::function<std::optional<contact::ContactProblem>(std::string& what)> make;
 };
 
 struct Exported {
@@ -48,19 +48,19 @@ struct Exported {
 };
 
 struct Answer {
-  ContactSolution solution;
+  contact::ContactSolution solution;
   std::string solver;
   double law_map = k_unknown;
 };
 
-Answer best_answer(const ContactProblem& problem) {
+Answer best_answer(const contact::ContactProblem& problem) {
   Answer best;
   for (const char* name : {"auto", "newton", "ipm"}) {
-    const SolverEntry& entry = find_solver(name);
+    const contact::SolverEntry& entry = contact::find_solver(name);
     if (problem.has_moments() && !entry.moments) continue;
-    ContactSolution solution =
+    contact::ContactSolution solution =
         entry.make({.tolerance = k_wanted, .max_iterations = k_most_iterations})->solve(problem, VecX());
-    const double map = measure(problem, solution.r).law_map_m_s;
+    const double map = contact::measure(problem, solution.r).law_map_m_s;
     if (best.solver.empty() || map < best.law_map) best = {std::move(solution), name, map};
     if (best.law_map <= k_wanted) break;
   }
@@ -68,21 +68,22 @@ Answer best_answer(const ContactProblem& problem) {
 }
 
 /// Writes the file, reads it again and measures its residual. Only one thread may call it at a time, because of HDF5.
-Exported write_problem(const fs::path& folder, const Source& source, const ContactProblem& problem, Answer answer) {
-  answer.solution.v = velocities(problem, answer.solution.r);
-  answer.solution.u = contact_velocities(problem, answer.solution.v);
+Exported write_problem(const fs::path& folder, const Source& source, const contact::ContactProblem& problem,
+                       Answer answer) {
+  answer.solution.v = contact::velocities(problem, answer.solution.r);
+  answer.solution.u = contact::contact_velocities(problem, answer.solution.v);
   const fs::path file = folder / (source.name + ".hdf5");
-  FclibProblem stored;
+  contact::FclibProblem stored;
   stored.problem = problem;
   stored.title = source.name;
   stored.description = source.what;
   stored.dof_of_file.resize(static_cast<std::size_t>(problem.num_velocities()));
   std::iota(stored.dof_of_file.begin(), stored.dof_of_file.end(), 0);
-  write_fclib(file, stored, &answer.solution);
-  const FclibProblem read = read_fclib(file);
-  const auto& own = std::get<ContactProblem>(read.problem);
-  const double map =
-      read.solution ? measure(own, *read.solution).law_map_m_s : measure(own, VecX::Zero(own.w.size())).law_map_m_s;
+  contact::write_fclib(file, stored, &answer.solution);
+  const contact::FclibProblem read = contact::read_fclib(file);
+  const auto& own = std::get<contact::ContactProblem>(read.problem);
+  const double map = read.solution ? contact::measure(own, *read.solution).law_map_m_s
+                                   : contact::measure(own, VecX::Zero(own.w.size())).law_map_m_s;
   return {source.name, source.what, answer.solver, own.num_points(), own.num_velocities(), contact_mass_ratio(own),
           map};
 }
@@ -104,7 +105,7 @@ std::vector<Source> sources_of(const ProblemExportOptions& options) {
   for (const auto& file : files)
     all.push_back({"scene-" + file.stem().string(), "", [file, until = options.until_s](std::string& what) {
                      auto step = hardest_step(file, until);
-                     if (!step) return std::optional<ContactProblem>();
+                     if (!step) return std::optional<contact::ContactProblem>();
                      what = fmt::format("{} at {:.6g} s: {} iterations", file.filename().string(), step->time,
                                         step->iterations);
                      return std::optional(std::move(step->problem));
@@ -113,10 +114,10 @@ std::vector<Source> sources_of(const ProblemExportOptions& options) {
 }
 
 std::string exported_table(const std::vector<Exported>& all) {
-  std::string csv = csv_header(
+  std::string csv = output::csv_header(
       {"name", "source", "contacts", "velocities", "mass_ratio_1", "law", "solver", "law_map_m_s", "certified"});
   for (const auto& one : all) {
-    CsvRow row;
+    output::CsvRow row;
     row.text(one.name).text(one.what).integer(one.contacts).integer(one.velocities).shortest(one.mass_ratio);
     row.text("coulomb").text(one.solver).shortest(one.law_map).text(one.certified() ? "yes" : "no");
     csv += row.line();
@@ -148,10 +149,10 @@ std::string exported_line(const Exported& one) {
 
 int export_problems(const ProblemExportOptions& options) {
   const std::vector<Source> sources = sources_of(options);
-  claim_folder(options.out, options.force);
+  output::claim_folder(options.out, options.force);
   std::vector<std::optional<Exported>> slots(sources.size());
   std::mutex writing;
-  run_jobs(
+  verify::run_jobs(
       sources.size(), options.threads,
       [&](std::size_t k) {
         Source source = sources[k];
@@ -170,7 +171,7 @@ int export_problems(const ProblemExportOptions& options) {
   std::vector<Exported> all;
   for (auto& slot : slots)
     if (slot) all.push_back(std::move(*slot));
-  write_whole(options.out / "problems.csv", exported_table(all));
+  output::write_whole(options.out / "problems.csv", exported_table(all));
   if (options.json) std::cout << exported_json(all).dump(2) << "\n";
   const auto certified = std::count_if(all.begin(), all.end(), [](const Exported& one) { return one.certified(); });
   if (!options.quiet && !options.json)
@@ -179,4 +180,4 @@ int export_problems(const ProblemExportOptions& options) {
   return 0;
 }
 
-}  // namespace nilas
+}  // namespace nilas::compare

@@ -2,7 +2,7 @@
 /// `nilas problems --export`: hard contact problems as FCLIB files with certified solutions.
 #include <filesystem>
 
-namespace nilas {
+namespace nilas::compare {
 
 struct ProblemExportOptions {
   std::filesystem::path out;     ///< folder to write, which is empty or new unless `force`
@@ -20,4 +20,4 @@ struct ProblemExportOptions {
 /// 0. Throws InputError, FileError.
 int export_problems(const ProblemExportOptions& options);
 
-}  // namespace nilas
+}  // namespace nilas::compare

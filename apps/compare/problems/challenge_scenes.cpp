@@ -6,12 +6,12 @@
 #include "core/scene/read/read_scene.h"
 #include "core/sim/simulation.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 namespace {
 
-bool all_can_move(const ContactProblem& problem) {
-  const std::vector<Mat3> diagonal = delassus_diagonal(problem);
+bool all_can_move(const contact::ContactProblem& problem) {
+  const std::vector<Mat3> diagonal = contact::delassus_diagonal(problem);
   for (int c = 0; c < problem.num_contacts(); ++c)
     if (!problem.is_moment(c) && !(diagonal[c].trace() > 0)) return false;
   return true;
@@ -20,9 +20,9 @@ bool all_can_move(const ContactProblem& problem) {
 }  // namespace
 
 std::optional<HardestStep> hardest_step(const std::filesystem::path& scene_file, double until) {
-  const Scene scene = read_scene(scene_file);
+  const scene::Scene scene = scene::read_scene(scene_file);
   WarningCounts warnings(make_logger("off", ""));
-  Simulation simulation(scene, 1, warnings);
+  sim::Simulation simulation(scene, 1, warnings);
   std::optional<HardestStep> hardest;
   const double end = std::min(until, scene.time.end), half_step = 0.5 * scene.time.step;
   while (simulation.time() < end - half_step) {
@@ -38,4 +38,4 @@ std::optional<HardestStep> hardest_step(const std::filesystem::path& scene_file,
   return hardest;
 }
 
-}  // namespace nilas
+}  // namespace nilas::compare

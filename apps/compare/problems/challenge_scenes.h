@@ -5,10 +5,10 @@
 
 #include "contact/problem/problem.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 struct HardestStep {
-  ContactProblem problem;
+  contact::ContactProblem problem;
   double time = 0;  ///< end of the step [s]
   int iterations = 0;
 };
@@ -18,4 +18,4 @@ struct HardestStep {
 /// because no file can hold them. Nothing if bodies never touch. Throws SceneError, InputError, FileError.
 std::optional<HardestStep> hardest_step(const std::filesystem::path& scene, double until);
 
-}  // namespace nilas
+}  // namespace nilas::compare

@@ -12,7 +12,7 @@
 #include "core/output/file/output_file.h"
 #include "core/output/text/html.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 namespace {
 
@@ -148,7 +148,7 @@ Json figures_of(const std::filesystem::path& folder, const std::vector<ProblemPi
   for (std::size_t k = 1; k < pictures.size(); ++k)  // the first is next to the answer
     if (std::find(kinds.begin(), kinds.end(), pictures[k].kind) != kinds.end())
       figures.push_back(
-          {{"title", pictures[k].title}, {"svg", inline_svg(folder / (pictures[k].picture.name + ".svg"))}});
+          {{"title", pictures[k].title}, {"svg", output::inline_svg(folder / (pictures[k].picture.name + ".svg"))}});
   return figures;
 }
 
@@ -157,7 +157,7 @@ void add_figures(const std::filesystem::path& folder, const std::vector<ProblemP
   view["first_figure"] = nullptr;
   if (!pictures.empty())
     view["first_figure"] = {{"title", pictures.front().title},
-                            {"svg", inline_svg(folder / (pictures.front().picture.name + ".svg"))}};
+                            {"svg", output::inline_svg(folder / (pictures.front().picture.name + ".svg"))}};
   view["work_figures"] = figures_of(folder, pictures, {Kind::medians, Kind::problems});
   const Json profiles = figures_of(folder, pictures, {Kind::performance, Kind::data});
   view["profiles"] = profiles.empty() ? Json(nullptr) : Json{{"figures", profiles}};
@@ -230,7 +230,7 @@ void write_problem_page(const std::filesystem::path& folder, const ProblemReport
   add_outcomes(report, view);
   add_figures(folder, pictures, view);
   add_method(report, view);
-  write_whole(folder / "compare.html", page_text("problem_page.html", view));
+  output::write_whole(folder / "compare.html", page_text("problem_page.html", view));
 }
 
-}  // namespace nilas
+}  // namespace nilas::compare

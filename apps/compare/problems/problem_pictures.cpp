@@ -14,7 +14,7 @@
 #include "core/output/file/output_file.h"
 #include "core/output/text/plot.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 namespace {
 
@@ -27,8 +27,9 @@ std::string look_of(const std::string& solver) {
                                                 "#cc79a7", "#0072b2", "#d55e00", "#7f7f7f"};
   static const std::vector<const char*> dashes{"'-'", "1", "'.'", "'-.'", "'--.'"};
   if (solver == "auto") return "lc rgb '#000000' dt 1 pt 7 ps 0.7 lw 2.6";
-  const auto& all = solver_registry();
-  const auto found = std::find_if(all.begin(), all.end(), [&](const SolverEntry& e) { return e.name == solver; });
+  const auto& all = contact::solver_registry();
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&](const contact::SolverEntry& e) { return e.name == solver; });
   const auto k = static_cast<std::size_t>(found - all.begin()) + 1;
   // 7 is the mark of auto
   return fmt::format("lc rgb '{}' dt {} pt {} ps 0.7 lw 1.6", colours[k % colours.size()], dashes[k % dashes.size()],
@@ -39,7 +40,7 @@ void add_profile(std::string& csv, const SolverComparison& c, const char* kind, 
                  double from, double to) {
   for (std::size_t s = 0; s < c.solvers.size(); ++s) {
     const auto add = [&](double x, double share) {
-      CsvRow row;
+      output::CsvRow row;
       row.text(c.law).shortest(c.tolerance).text(kind).text(c.solvers[s]).shortest(x).shortest(share);
       csv += row.line();
     };
@@ -67,27 +68,27 @@ std::pair<double, double> decades(const std::vector<Profile>& all) {
 }
 
 void write_profiles(const std::filesystem::path& file, const std::vector<SolverComparison>& comparisons) {
-  std::string csv = csv_header({"law", "tolerance_m_s", "kind", "solver", "ratio_1_or_time_s", "share_1"});
+  std::string csv = output::csv_header({"law", "tolerance_m_s", "kind", "solver", "ratio_1_or_time_s", "share_1"});
   for (const auto& c : comparisons) {
     add_profile(csv, c, "performance", c.by_ratio, 1, std::min(k_widest, decades(c.by_ratio).second));
     const auto [low, high] = decades(c.by_time);
     add_profile(csv, c, "data", c.by_time, low, high);
   }
-  write_whole(file, csv);
+  output::write_whole(file, csv);
 }
 
 void write_points(const std::filesystem::path& file, std::vector<WorkPoint> points) {
   std::stable_sort(points.begin(), points.end(), [](const WorkPoint& a, const WorkPoint& b) {
     return std::tuple(a.law, a.problem, a.solver, -a.tolerance) < std::tuple(b.law, b.problem, b.solver, -b.tolerance);
   });
-  std::string csv = csv_header({"law", "problem", "solver", "tolerance_m_s", "solve_s", "law_map_m_s"});
+  std::string csv = output::csv_header({"law", "problem", "solver", "tolerance_m_s", "solve_s", "law_map_m_s"});
   for (const auto& point : points) {
-    CsvRow row;
+    output::CsvRow row;
     row.text(point.law).text(point.problem.empty() ? "median" : point.problem).text(point.solver);
     row.shortest(point.tolerance).shortest(point.seconds).shortest(point.residual);
     csv += row.line();
   }
-  write_whole(file, csv);
+  output::write_whole(file, csv);
 }
 
 Json with_looks(const std::vector<std::string>& solvers) {
@@ -180,7 +181,7 @@ std::vector<ProblemPicture> draw_problem_study(const std::filesystem::path& fold
                         panels_picture(comparisons.front(), problems_of(single))});
   std::string script;
   for (const auto& one : pictures) script += script_of(one.picture);
-  if (!script.empty()) plot(folder, script);
+  if (!script.empty()) output::plot(folder, script);
   return pictures;
 }
 
@@ -190,4 +191,4 @@ bool is_problem_picture_file(const std::string& name) {
   return std::regex_match(name, own);
 }
 
-}  // namespace nilas
+}  // namespace nilas::compare

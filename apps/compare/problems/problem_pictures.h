@@ -7,7 +7,7 @@
 #include "apps/compare/problems/problem_study_results.h"
 #include "apps/compare/workshop/picture.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 struct ProblemPicture {
   enum class Kind { performance, data, medians, problems };
@@ -25,4 +25,4 @@ std::vector<ProblemPicture> draw_problem_study(const std::filesystem::path& fold
 /// Whether draw_problem_study() writes a file of this name.
 bool is_problem_picture_file(const std::string& name);
 
-}  // namespace nilas
+}  // namespace nilas::compare

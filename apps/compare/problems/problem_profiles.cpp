@@ -5,7 +5,7 @@
 
 #include "core/base/statistics.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 SolveTimes time_ratios(const SolveTimes& times) {
   SolveTimes ratios = times;
@@ -55,4 +55,4 @@ std::vector<SolverScore> scores(const SolveTimes& times) {
 
 double median(const std::vector<double>& values) { return values.empty() ? k_unsolved : median_of(values); }
 
-}  // namespace nilas
+}  // namespace nilas::compare

@@ -10,7 +10,7 @@
 #include <limits>
 #include <vector>
 
-namespace nilas {
+namespace nilas::compare {
 
 constexpr double k_unsolved = std::numeric_limits<double>::infinity();
 
@@ -41,4 +41,4 @@ std::vector<SolverScore> scores(const SolveTimes& times);
 /// values.
 double median(const std::vector<double>& values);
 
-}  // namespace nilas
+}  // namespace nilas::compare

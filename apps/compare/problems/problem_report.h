@@ -7,7 +7,7 @@
 
 #include "apps/compare/problems/problem_pictures.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 /// The input of the report.
 struct ProblemReport {
@@ -38,4 +38,4 @@ void write_problem_page(const std::filesystem::path& folder, const ProblemReport
 /// The runs that were left out, in words: the problems of each tolerance and law. Empty if none was.
 std::string dropped_text(const ProblemReport& report);
 
-}  // namespace nilas
+}  // namespace nilas::compare

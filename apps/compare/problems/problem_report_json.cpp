@@ -4,7 +4,7 @@
 #include "apps/compare/problems/problem_study_table.h"
 #include "apps/compare/workshop/json_store.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 namespace {
 
@@ -63,4 +63,4 @@ Json problem_report_json(const ProblemReport& report, const std::vector<SolverCo
           {"rows", rows}};
 }
 
-}  // namespace nilas
+}  // namespace nilas::compare

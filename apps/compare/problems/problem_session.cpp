@@ -12,7 +12,7 @@
 #include "core/output/run/claim_folder.h"
 #include "core/output/text/console.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 namespace {
 
@@ -33,7 +33,7 @@ StudyFiles problem_study_files() {
 fs::path usual_folder(const fs::path& problems) {
   const fs::path plain = fs::absolute(problems).lexically_normal();
   const std::string name = (plain.has_filename() ? plain : plain.parent_path()).filename().string();
-  return dated_folder(name);
+  return output::dated_folder(name);
 }
 
 std::string machine() {
@@ -98,12 +98,12 @@ void describe(const ProblemStudyOptions& options, const StudyPlan& plan, std::si
 
 }  // namespace
 
-ProblemTable::ProblemTable(const fs::path& file) : file_(file), disk_(std::make_unique<OutputFile>(file)) {
+ProblemTable::ProblemTable(const fs::path& file) : file_(file), disk_(std::make_unique<output::OutputFile>(file)) {
   disk_->append(study_header());
 }
 
 ProblemTable::ProblemTable(const fs::path& file, StoredRows stored)
-    : file_(file), rows_(std::move(stored.rows)), disk_(std::make_unique<OutputFile>(file, "", stored.bytes)) {
+    : file_(file), rows_(std::move(stored.rows)), disk_(std::make_unique<output::OutputFile>(file, "", stored.bytes)) {
   for (const auto& row : rows_) keys_.insert(key_of(row));
 }
 
@@ -122,13 +122,13 @@ void ProblemTable::close() {
   sort_study(rows_);
   std::string text = study_header();
   for (const auto& row : rows_) text += study_line(row);
-  write_whole(file_, text);
+  output::write_whole(file_, text);
 }
 
-double OpenedProblems::elapsed_s() const { return steady_seconds() - started_s; }
+double OpenedProblems::elapsed_s() const { return output::steady_seconds() - started_s; }
 
 OpenedProblems open_problems(const ProblemStudyOptions& asked) {
-  const double started_s = steady_seconds();
+  const double started_s = output::steady_seconds();
   const bool goes_on = !asked.resume.empty();
   ProblemReport report;
   const ProblemStudyOptions options = completed(goes_on ? stored_options(asked, report) : asked);
@@ -153,4 +153,4 @@ OpenedProblems open_problems(const ProblemStudyOptions& asked) {
           std::move(report), wall_before_s,     stored,           started_s};
 }
 
-}  // namespace nilas
+}  // namespace nilas::compare

@@ -14,7 +14,7 @@
 #include "apps/compare/workshop/study_folder.h"
 #include "core/output/file/output_file.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 /// The table of a study on disk and in memory, which gets a row as each run ends.
 class ProblemTable {
@@ -37,7 +37,7 @@ class ProblemTable {
 
   std::filesystem::path file_;
   std::vector<StudyRow> rows_;
-  std::unique_ptr<OutputFile> disk_;
+  std::unique_ptr<output::OutputFile> disk_;
   std::set<RunKey> keys_;
 };
 
@@ -64,4 +64,4 @@ constexpr const char* k_problem_work = ".runs";
 /// Takes the folder of a new study or opens that of an earlier one, and makes the plan. Throws InputError, FileError.
 OpenedProblems open_problems(const ProblemStudyOptions& asked);
 
-}  // namespace nilas
+}  // namespace nilas::compare

@@ -15,7 +15,7 @@
 #include "core/output/text/console.h"
 #include "core/output/text/plot.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 namespace {
 
@@ -40,7 +40,7 @@ WrittenReport write_problem_report(const OpenedProblems& study, bool with_pictur
   if (!with_pictures && any) written.no_pictures = "they are drawn when the study ends.";
   try {
     if (with_pictures && any) pictures = draw_problem_study(study.options.out, report.rows, written.comparisons);
-  } catch (const PlotError& error) {
+  } catch (const output::PlotError& error) {
     written.no_pictures = error.what();
   }
   write_problem_page(study.options.out, report, written.comparisons, pictures, written.no_pictures);
@@ -52,8 +52,8 @@ void tell_plan(const OpenedProblems& study, const Narrator& narrator) {
   const StudyPlan& plan = study.plan;
   narrator.line(fmt::format("{} problems in {}, {} runs, each up to {:g} s, {} at a time: about {}, at most {}",
                             study.files.size(), study.options.folder.string(), plan.runs.size(), plan.limit_s,
-                            study.options.jobs, duration_text(plan.estimate_s / study.options.jobs),
-                            duration_text(plan.at_most_s / study.options.jobs)));
+                            study.options.jobs, output::duration_text(plan.estimate_s / study.options.jobs),
+                            output::duration_text(plan.at_most_s / study.options.jobs)));
   for (const auto& row : plan.settled)
     if (row.solver.empty()) narrator.line("unreadable file: " + row.message);
   if (study.stored > 0) narrator.line(fmt::format("{} rows of earlier sessions are there already", study.stored));
@@ -75,8 +75,8 @@ class Progress {
     ++ended_;
     const std::size_t mark = k_marks * ended_ / runs_;
     if (mark > last_mark_)
-      narrator_.line(
-          fmt::format("{:.0f} % of the runs, {}", 100 * static_cast<double>(mark) / k_marks, duration_text(elapsed_s)));
+      narrator_.line(fmt::format("{:.0f} % of the runs, {}", 100 * static_cast<double>(mark) / k_marks,
+                                 output::duration_text(elapsed_s)));
     last_mark_ = mark;
     if (elapsed_s - page_at_s_ <= k_page_every_s) return false;
     page_at_s_ = elapsed_s;
@@ -166,4 +166,4 @@ int run_problem_study(const ProblemStudyOptions& options, const std::function<bo
   return stopped ? exit_interrupted : exit_done;
 }
 
-}  // namespace nilas
+}  // namespace nilas::compare

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace nilas {
+namespace nilas::compare {
 
 struct ProblemStudyOptions {
   std::filesystem::path folder;            ///< folder of FCLIB files
@@ -22,4 +22,4 @@ struct ProblemStudyOptions {
 /// 0, or 130 if `stop` turned true; the outputs then hold what was done. Throws InputError, FileError.
 int run_problem_study(const ProblemStudyOptions& options, const std::function<bool()>& stop);
 
-}  // namespace nilas
+}  // namespace nilas::compare

@@ -9,7 +9,7 @@
 #include "contact/registry.h"
 #include "core/base/error.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 namespace {
 
@@ -25,15 +25,15 @@ const std::vector<double>& usual_tolerances() {
   return all;
 }
 
-bool takes(const SolverEntry& entry, Law law) {
+bool takes(const contact::SolverEntry& entry, Law law) {
   return std::find(entry.laws.begin(), entry.laws.end(), law) != entry.laws.end();
 }
 
 /// Why a solver cannot solve a problem; empty if it can.
-std::string why_not(const SolverEntry& entry, Law law, const StudyFile& file) {
+std::string why_not(const contact::SolverEntry& entry, Law law, const StudyFile& file) {
   try {
-    demand_law(entry, law);
-    if (file.moments) demand_moments(entry, law);
+    contact::demand_law(entry, law);
+    if (file.moments) contact::demand_moments(entry, law);
   } catch (const InputError& error) {
     return error.what();
   }
@@ -71,7 +71,7 @@ std::vector<std::string> solvers_for(const StudyChoice& choice, Law law, const s
     return file.fault.empty() && file.problem.contacts <= k_enumerable;
   });
   std::vector<std::string> names;
-  for (const auto& entry : solver_registry())
+  for (const auto& entry : contact::solver_registry())
     if (takes(entry, law) && (any_small || entry.name != "enumerate")) names.push_back(entry.name);
   return names;
 }
@@ -104,7 +104,7 @@ double with_two_digits(double seconds) {
 }  // namespace
 
 void validate(const StudyChoice& choice) {
-  for (const auto& solver : choice.solvers) find_solver(solver);
+  for (const auto& solver : choice.solvers) contact::find_solver(solver);
   for (const auto& law : choice.laws) parse_law(law);
   for (const double tolerance : choice.tolerances)
     if (!(tolerance > 0) || !std::isfinite(tolerance))
@@ -149,7 +149,7 @@ StudyPlan make_plan(const std::vector<StudyFile>& files, const StudyChoice& choi
     Block wanted;
     for (const auto& run : block) {
       StudyRow row = row_of(files[run.file], run);
-      row.message = why_not(find_solver(run.solver), parse_law(run.law).law, files[run.file]);
+      row.message = why_not(contact::find_solver(run.solver), parse_law(run.law).law, files[run.file]);
       row.outcome = RunOutcome::not_applicable;
       if (!row.message.empty())
         plan.settled.push_back(row);
@@ -181,4 +181,4 @@ StudyPlan make_plan(const std::vector<StudyFile>& files, const StudyChoice& choi
   return plan;
 }
 
-}  // namespace nilas
+}  // namespace nilas::compare

@@ -7,7 +7,7 @@
 
 #include "apps/compare/problems/problem_study_row.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 /// A file of the folder of problems.
 struct StudyFile {
@@ -24,7 +24,7 @@ std::vector<StudyFile> survey(const std::filesystem::path& folder);
 
 /// The ratio of the largest to the smallest effective mass 3 / trace(J M^-1 J^T) over contacts and their sides [-]; NaN
 /// without any.
-double contact_mass_ratio(const ContactProblem& problem);
+double contact_mass_ratio(const contact::ContactProblem& problem);
 
 /// The solvers, laws and tolerances that are combined.
 struct StudyChoice {
@@ -62,4 +62,4 @@ StudyRow row_of(const StudyFile& file, const StudyRun& run);
 /// The tolerances with the middle one first, then those outwards, of which the tighter comes first.
 std::vector<double> middle_first(std::vector<double> tolerances);
 
-}  // namespace nilas
+}  // namespace nilas::compare

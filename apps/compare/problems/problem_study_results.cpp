@@ -9,7 +9,7 @@
 
 #include "apps/compare/problems/problem_study_plan.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 namespace {
 
@@ -203,4 +203,4 @@ std::vector<ProblemClass> problem_classes(const std::vector<StudyRow>& rows) {
   return classes;
 }
 
-}  // namespace nilas
+}  // namespace nilas::compare

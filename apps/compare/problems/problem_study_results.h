@@ -6,7 +6,7 @@
 #include "apps/compare/problems/problem_profiles.h"
 #include "apps/compare/problems/problem_study_row.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 /// All solvers on the problems that all of them were tried on, for one law and tolerance.
 struct SolverComparison {
@@ -52,4 +52,4 @@ struct ProblemClass {
 /// in the most accurate answer of all runs. The class is "not known" if no answer is within 1e-4 m/s.
 std::vector<ProblemClass> problem_classes(const std::vector<StudyRow>& rows);
 
-}  // namespace nilas
+}  // namespace nilas::compare

@@ -4,7 +4,7 @@
 
 #include "apps/compare/workshop/special_numbers.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 const char* to_string(RunOutcome outcome) {
   switch (outcome) {
@@ -62,7 +62,7 @@ std::string in_words(double tolerance) {
 }
 
 StudyRow::StudyRow() {
-  for (const auto& column : residual_columns()) residuals.*column.member = k_unknown;
+  for (const auto& column : contact::residual_columns()) residuals.*column.member = k_unknown;
 }
 
-}  // namespace nilas
+}  // namespace nilas::compare

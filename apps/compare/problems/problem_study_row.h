@@ -5,7 +5,7 @@
 #include "apps/compare/workshop/special_numbers.h"
 #include "contact/measure/measure.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 /// How a run ended. Whether it is solved depends on law_map_m_s and the time alone, whatever the solver reports.
 enum class RunOutcome {
@@ -41,8 +41,8 @@ struct StudyRow {
   RunOutcome outcome = RunOutcome::unreadable;
   std::string claimed;  ///< status that the solver reports
   int iterations = 0;
-  double seconds = k_unknown;  ///< time of the solve [s]
-  Residuals residuals;         ///< NaN if the run left none
+  double seconds = k_unknown;    ///< time of the solve [s]
+  contact::Residuals residuals;  ///< NaN if the run left none
   int open = 0, sticking = 0, sliding = 0;
   double wall = k_unknown, cpu = k_unknown;  ///< times of the whole process [s]
   int exit_code = 0;
@@ -52,4 +52,4 @@ struct StudyRow {
   bool solved() const { return outcome == RunOutcome::solved; }
 };
 
-}  // namespace nilas
+}  // namespace nilas::compare

@@ -9,7 +9,7 @@
 #include "apps/compare/workshop/special_numbers.h"
 #include "core/base/error.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 namespace {
 
@@ -43,7 +43,7 @@ void take(const Json& result, StudyRow& row) {
   row.sticking = result.value("sticking", 0);
   row.sliding = result.value("sliding", 0);
   row.message = result.value("message", "");
-  for (const auto& column : residual_columns()) row.residuals.*column.member = number_in(result, column.name);
+  for (const auto& column : contact::residual_columns()) row.residuals.*column.member = number_in(result, column.name);
 }
 
 RunOutcome outcome_of(const StudyRow& row, double limit_s) {
@@ -99,4 +99,4 @@ StudyRow judge(const StudyFile& file, const StudyRun& run, double limit_s, const
   return row;
 }
 
-}  // namespace nilas
+}  // namespace nilas::compare

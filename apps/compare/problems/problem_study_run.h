@@ -6,7 +6,7 @@
 #include "apps/compare/problems/problem_study_plan.h"
 #include "apps/compare/workshop/child.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 /// The limit of iterations, which is high because a study limits the time.
 constexpr int k_study_iterations = 1000000;
@@ -23,4 +23,4 @@ ChildTask task_of(const StudyFile& file, const StudyRun& run, double limit_s, co
 StudyRow judge(const StudyFile& file, const StudyRun& run, double limit_s, const ChildResult& ended,
                const std::string& printed, const std::string& logged);
 
-}  // namespace nilas
+}  // namespace nilas::compare

@@ -7,7 +7,7 @@
 #include "contact/fclib/fclib_io.h"
 #include "core/base/error.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 namespace {
 
@@ -38,8 +38,8 @@ std::string on_one_line(std::string text) {
 void look_into(StudyFile& file) {
   const auto start = std::chrono::steady_clock::now();
   try {
-    const FclibProblem problem = read_fclib(file.path);
-    const auto* const global = std::get_if<ContactProblem>(&problem.problem);
+    const contact::FclibProblem problem = contact::read_fclib(file.path);
+    const auto* const global = std::get_if<contact::ContactProblem>(&problem.problem);
     file.problem.form = global ? "global" : "local";
     file.problem.contacts = global ? global->num_points() : problem.num_contacts();
     file.problem.velocities = problem.num_velocities();
@@ -53,7 +53,7 @@ void look_into(StudyFile& file) {
 
 }  // namespace
 
-double contact_mass_ratio(const ContactProblem& problem) {
+double contact_mass_ratio(const contact::ContactProblem& problem) {
   double lightest = k_infinity, heaviest = 0;
   const auto see = [&](int block, const MatX& rows) {
     if (block < 0) return;
@@ -90,4 +90,4 @@ std::vector<StudyFile> survey(const fs::path& folder) {
   return files;
 }
 
-}  // namespace nilas
+}  // namespace nilas::compare

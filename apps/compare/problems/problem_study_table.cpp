@@ -12,14 +12,14 @@
 #include "core/base/error.h"
 #include "core/output/file/csv_row.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 namespace {
 
 /// A column: how it is written as text and as JSON, and how it is read.
 struct Column {
   std::string name;
-  std::function<void(const StudyRow&, CsvRow&)> write;
+  std::function<void(const StudyRow&, output::CsvRow&)> write;
   std::function<Json(const StudyRow&)> value;
   std::function<bool(StudyRow&, const std::string&)> read;
 };
@@ -30,9 +30,9 @@ bool parse(const std::string& text, Number& value) {
   return error == std::errc() && stop == text.data() + text.size();
 }
 
-void write_cell(const std::string& x, CsvRow& out) { out.text(x); }
-void write_cell(int x, CsvRow& out) { out.integer(x); }
-void write_cell(double x, CsvRow& out) { std::isnan(x) ? out.text("") : out.shortest(x); }
+void write_cell(const std::string& x, output::CsvRow& out) { out.text(x); }
+void write_cell(int x, output::CsvRow& out) { out.integer(x); }
+void write_cell(double x, output::CsvRow& out) { std::isnan(x) ? out.text("") : out.shortest(x); }
 
 Json cell_json(const std::string& x) { return x; }
 Json cell_json(int x) { return x; }
@@ -51,7 +51,7 @@ bool read_cell(const std::string& text, double& x) {
 /// The column of a member of the row. `get` returns a reference to it.
 template <class Get>
 Column column(const std::string& name, Get get) {
-  return {name, [get](const StudyRow& row, CsvRow& out) { write_cell(get(row), out); },
+  return {name, [get](const StudyRow& row, output::CsvRow& out) { write_cell(get(row), out); },
           [get](const StudyRow& row) { return cell_json(get(row)); },
           [get](StudyRow& row, const std::string& text) { return read_cell(text, get(row)); }};
 }
@@ -81,7 +81,7 @@ std::vector<Column> make_columns() {
                               "law", [](auto& r) -> auto& { return r.law; }),
                           column(
                               "tolerance_m_s", [](auto& r) -> auto& { return r.tolerance; }),
-                          {"outcome", [](const StudyRow& r, CsvRow& out) { out.text(to_string(r.outcome)); },
+                          {"outcome", [](const StudyRow& r, output::CsvRow& out) { out.text(to_string(r.outcome)); },
                            [](const StudyRow& r) { return Json(to_string(r.outcome)); }, read_outcome},
                           column(
                               "claimed", [](auto& r) -> auto& { return r.claimed; }),
@@ -89,7 +89,7 @@ std::vector<Column> make_columns() {
                               "iterations", [](auto& r) -> auto& { return r.iterations; }),
                           column(
                               "solve_s", [](auto& r) -> auto& { return r.seconds; })};
-  for (const auto& residual : residual_columns())
+  for (const auto& residual : contact::residual_columns())
     all.push_back(column(
         residual.name, [member = residual.member](auto& r) -> auto& { return r.residuals.*member; }));
   all.push_back(column(
@@ -128,18 +128,18 @@ std::vector<std::string> column_names() {
 }
 
 std::size_t place_of(const std::string& solver) {
-  const auto& all = solver_registry();
+  const auto& all = contact::solver_registry();
   return static_cast<std::size_t>(
-      std::find_if(all.begin(), all.end(), [&](const SolverEntry& entry) { return entry.name == solver; }) -
+      std::find_if(all.begin(), all.end(), [&](const contact::SolverEntry& entry) { return entry.name == solver; }) -
       all.begin());
 }
 
 }  // namespace
 
-std::string study_header() { return csv_header(column_names()); }
+std::string study_header() { return output::csv_header(column_names()); }
 
 std::string study_line(const StudyRow& row) {
-  CsvRow out;
+  output::CsvRow out;
   for (const auto& one : study_columns()) one.write(row, out);
   return std::string(out.line());
 }
@@ -175,4 +175,4 @@ void sort_study(std::vector<StudyRow>& rows) {
   });
 }
 
-}  // namespace nilas
+}  // namespace nilas::compare

@@ -8,7 +8,7 @@
 
 #include "apps/compare/problems/problem_study_row.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 std::string study_header();
 std::string study_line(const StudyRow& row);
@@ -26,4 +26,4 @@ StoredRows read_study(const std::filesystem::path& file);
 /// Sorts the rows by problem, law, solver in the registry's order, and falling tolerance.
 void sort_study(std::vector<StudyRow>& rows);
 
-}  // namespace nilas
+}  // namespace nilas::compare

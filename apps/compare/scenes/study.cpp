@@ -18,7 +18,7 @@
 #include "core/output/run/claim_folder.h"
 #include "core/output/text/console.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 namespace {
 
@@ -32,7 +32,7 @@ struct Opened {
   std::string trouble;  ///< why the first setting made no step while its cost was measured
 };
 
-SceneStudy described(const StudyOptions& options, const Scene& scene, const Grid& grid) {
+SceneStudy described(const StudyOptions& options, const scene::Scene& scene, const Grid& grid) {
   constexpr double k_budget_s = 1200;
   SceneStudy study;
   study.scene = std::filesystem::absolute(scene.file);
@@ -52,12 +52,12 @@ SceneStudy described(const StudyOptions& options, const Scene& scene, const Grid
 
 /// Takes a folder and makes the plan. Returns nothing if the user stopped it before there was a plan.
 std::optional<Opened> begin_study(const StudyOptions& options, const Narrator& narrator, const Stop& stop) {
-  const double started_s = steady_seconds();
-  const Scene scene = read_scene(options.scene, options.overrides);
+  const double started_s = output::steady_seconds();
+  const scene::Scene scene = scene::read_scene(options.scene, options.overrides);
   const Grid grid = make_grid(scene, options.overrides, options.grid);
   if (options.reference != "auto") demand_reference_run(options.reference, scene);
   const std::filesystem::path out =
-      options.out.empty() ? dated_folder(scene.name + "-compare") : std::filesystem::path(options.out);
+      options.out.empty() ? output::dated_folder(scene.name + "-compare") : std::filesystem::path(options.out);
   Opened opened{SceneStore(out, options.force), described(options, scene, grid), started_s, ""};
   try {
     const PlanWishes wishes{options.realisations,      options.reference_tolerance, options.fixed_reference_tolerance,
@@ -79,10 +79,10 @@ std::optional<Opened> begin_study(const StudyOptions& options, const Narrator& n
 
 /// Opens an earlier study, with the realisations, budget and jobs that are asked for. Throws InputError, FileError.
 Opened resume_study(const StudyOptions& options) {
-  const double started_s = steady_seconds();
+  const double started_s = output::steady_seconds();
   SceneStore store(options.resume);
   SceneStudy study = store.read();
-  if (read_scene(study.scene, study.overrides).fingerprint != study.fingerprint)
+  if (scene::read_scene(study.scene, study.overrides).fingerprint != study.fingerprint)
     throw InputError("--resume: " + study.scene.string() + " has changed since the comparison began");
   if (options.jobs > 0) study.jobs = options.jobs;
   if (options.realisations) {
@@ -122,7 +122,7 @@ SceneReport report_of(const Opened& opened, const SessionEnd& session, const std
   const std::filesystem::path& folder = opened.store.path();
   SceneReport report{study,
                      judge_runs(study.plan, session.results, folder, judged_by(study)),
-                     timing_of(study, session, steady_seconds() - opened.started_s),
+                     timing_of(study, session, output::steady_seconds() - opened.started_s),
                      session.late,
                      opened.trouble,
                      ended_by,
@@ -160,7 +160,7 @@ std::string tell(const SceneReport& report, const Opened& opened, bool json, con
   if (narrator.quiet())
     for (const auto& line : caveat_lines(report)) Narrator::warning(line);
   narrator.line(fmt::format("The comparison took {}. The report is {}",
-                            duration_text(steady_seconds() - opened.started_s),
+                            output::duration_text(output::steady_seconds() - opened.started_s),
                             (opened.store.path() / "compare.html").string()));
   if (json) std::cout << json_text(report_json(report));
   return file_error;
@@ -202,4 +202,4 @@ int run_study(const StudyOptions& options, const Stop& stop) {
   return opened ? execute(*opened, options, narrator, stop) : exit_interrupted;
 }
 
-}  // namespace nilas
+}  // namespace nilas::compare

@@ -5,11 +5,11 @@
 
 #include "apps/compare/scenes/plan/grid.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 struct StudyOptions {
   std::filesystem::path scene;
-  Overrides overrides;  ///< the user's overrides, as --set takes them
+  scene::Overrides overrides;  ///< the user's overrides, as --set takes them
   GridRequest grid;
   std::optional<int> realisations;         ///< number of realisations; default 3
   std::string reference = "auto";          ///< "auto" or a run folder
@@ -25,4 +25,4 @@ struct StudyOptions {
 /// Returns the exit code. Throws as read_scene() does, and InputError and FileError.
 int run_study(const StudyOptions& options, const std::function<bool()>& stop);
 
-}  // namespace nilas
+}  // namespace nilas::compare

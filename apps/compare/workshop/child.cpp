@@ -17,7 +17,7 @@
 
 #include "core/base/error.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 namespace {
 
@@ -196,4 +196,4 @@ std::filesystem::path own_program() {
   return program;
 }
 
-}  // namespace nilas
+}  // namespace nilas::compare

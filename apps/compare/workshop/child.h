@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace nilas {
+namespace nilas::compare {
 
 /// One process to run.
 struct ChildTask {
@@ -47,4 +47,4 @@ ChildResult run_child(const ChildTask& task, const std::function<bool()>& stop =
 /// The file of this program, for running it again. Throws FileError.
 std::filesystem::path own_program();
 
-}  // namespace nilas
+}  // namespace nilas::compare

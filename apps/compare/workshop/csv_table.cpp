@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace nilas {
+namespace nilas::compare {
 
 void CsvCell::operator=(double value) { std::isfinite(value) ? row_.shortest(value) : row_.text(""); }
 
@@ -18,4 +18,4 @@ std::string list_text(const std::vector<int>& numbers) {
   return text;
 }
 
-}  // namespace nilas
+}  // namespace nilas::compare

@@ -6,12 +6,12 @@
 
 #include "core/output/file/csv_row.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 /// The cell of a column, on a row that is being written. A number that is not finite leaves its cell empty.
 class CsvCell {
  public:
-  explicit CsvCell(CsvRow& row) : row_(row) {}
+  explicit CsvCell(output::CsvRow& row) : row_(row) {}
   void operator=(double value);
   void operator=(int value) { row_.integer(value); }
   void operator=(bool value) { row_.integer(value ? 1 : 0); }
@@ -19,7 +19,7 @@ class CsvCell {
   void operator=(const char* text) { row_.text(text); }
 
  private:
-  CsvRow& row_;
+  output::CsvRow& row_;
 };
 
 template <class Row>
@@ -32,9 +32,9 @@ template <class Row>
 std::string csv_text(const std::vector<CsvColumn<Row>>& columns, const std::vector<Row>& rows) {
   std::vector<std::string> names;
   for (const auto& column : columns) names.push_back(column.name);
-  std::string text = csv_header(names);
+  std::string text = output::csv_header(names);
   for (const auto& row : rows) {
-    CsvRow cells;
+    output::CsvRow cells;
     for (const auto& column : columns) column.write(row, CsvCell(cells));
     text += cells.line();
   }
@@ -46,4 +46,4 @@ std::string without_commas(std::string sentence);
 /// The numbers as a list: "0;1".
 std::string list_text(const std::vector<int>& numbers);
 
-}  // namespace nilas
+}  // namespace nilas::compare

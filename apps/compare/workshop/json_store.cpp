@@ -5,7 +5,7 @@
 #include "core/base/file_bytes.h"
 #include "core/output/file/output_file.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 Json number_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
@@ -14,8 +14,8 @@ std::string json_text(const Json& json) {
   return json.dump(k_indent, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-void write_json(const std::filesystem::path& file, const Json& json) { write_whole(file, json_text(json)); }
+void write_json(const std::filesystem::path& file, const Json& json) { output::write_whole(file, json_text(json)); }
 
 Json read_json(const std::filesystem::path& file) { return Json::parse(file_bytes(file), nullptr, false); }
 
-}  // namespace nilas
+}  // namespace nilas::compare

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-namespace nilas {
+namespace nilas::compare {
 
 /// JSON whose objects keep the order of their keys.
 using Json = nlohmann::ordered_json;
@@ -19,4 +19,4 @@ void write_json(const std::filesystem::path& file, const Json& json);
 /// Reads a file; is_discarded() holds for the result if the file holds no JSON. Throws FileError.
 Json read_json(const std::filesystem::path& file);
 
-}  // namespace nilas
+}  // namespace nilas::compare

@@ -2,7 +2,7 @@
 /// The messages of a study on the terminal while it runs.
 #include <string>
 
-namespace nilas {
+namespace nilas::compare {
 
 class Narrator {
  public:
@@ -23,4 +23,4 @@ class Narrator {
   bool json_, quiet_;
 };
 
-}  // namespace nilas
+}  // namespace nilas::compare

@@ -4,11 +4,12 @@
 #include "apps/compare/workshop/templates.h"
 #include "core/output/text/fill_template.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 std::string script_of(const Picture& picture) {
   constexpr double k_font = 12;
-  const std::string drawing = fill_template(compare_template(picture.script), picture.data, Escape::gnuplot);
+  const std::string drawing =
+      output::fill_template(compare_template(picture.script), picture.data, output::Escape::gnuplot);
   Json formats = Json::array();
   for (const bool vector : {true, false}) {
     const double factor = vector ? 1 : picture.png_factor;
@@ -20,7 +21,7 @@ std::string script_of(const Picture& picture) {
                        {"file", picture.name + (vector ? ".svg" : ".png")},
                        {"drawing", drawing}});
   }
-  return fill_template(compare_template("formats.gnuplot"), {{"formats", formats}}, Escape::gnuplot);
+  return output::fill_template(compare_template("formats.gnuplot"), {{"formats", formats}}, output::Escape::gnuplot);
 }
 
-}  // namespace nilas
+}  // namespace nilas::compare

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-namespace nilas {
+namespace nilas::compare {
 
 /// One picture before it is drawn.
 struct Picture {
@@ -18,4 +18,4 @@ struct Picture {
 /// The script that draws `<name>.svg` and `<name>.png` in gnuplot's working folder.
 std::string script_of(const Picture& picture);
 
-}  // namespace nilas
+}  // namespace nilas::compare

@@ -7,7 +7,7 @@
 
 #include "core/base/error.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 namespace fs = std::filesystem;
 
@@ -67,4 +67,4 @@ void StudyFolder::release() {
   fs::remove(path_ / "nilas.log", ignored);
 }
 
-}  // namespace nilas
+}  // namespace nilas::compare

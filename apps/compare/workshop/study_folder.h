@@ -8,7 +8,7 @@
 
 #include "core/output/run/run_lock.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 /// The files by which a kind of study recognises its folder.
 struct StudyFiles {
@@ -40,7 +40,7 @@ class StudyFolder {
 
   std::filesystem::path path_;
   StudyFiles files_;
-  std::optional<RunLock> lock_;
+  std::optional<output::RunLock> lock_;
 };
 
-}  // namespace nilas
+}  // namespace nilas::compare

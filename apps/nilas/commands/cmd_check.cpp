@@ -14,7 +14,7 @@
 #include "core/sim/build/build_world.h"
 #include "core/sim/world/world.h"
 
-namespace nilas {
+namespace nilas::commands {
 
 namespace {
 
@@ -30,20 +30,20 @@ struct Estimate {
 
 /// Estimates the contacts, which are those within one per cent of the mean bounding radius of floes, and the memory of
 /// bodies and contacts.
-Estimate estimate(const WorldParts& parts) {
+Estimate estimate(const sim::WorldParts& parts) {
   double radius = 0;
   std::size_t bytes = 0;
-  const Bodies& bodies = parts.bodies;
+  const bodies::Bodies& bodies = parts.bodies;
   for (std::size_t b = 0; b < bodies.shape.size(); ++b) {
-    const Shape& shape = *bodies.shape[b];
-    if (bodies.kind[b] == BodyKind::floe) radius += shape.bounding_radius / std::max(parts.info.floes, 1);
+    const geometry::Shape& shape = *bodies.shape[b];
+    if (bodies.kind[b] == bodies::BodyKind::floe) radius += shape.bounding_radius / std::max(parts.info.floes, 1);
     constexpr std::size_t k_bytes_per_vertex = 400;  // vertices, faces, adjacency and the narrow phase's copy
     for (const auto& part : shape.parts) bytes += k_bytes_per_vertex * part.vertices.size();
     bytes += shape.surface.triangles.size() * sizeof(std::array<int, 3>) + shape.surface.vertices.size() * sizeof(Vec3);
   }
   Estimate e;
   e.bodies = bodies.size();
-  ContactDetector detector;
+  detect::ContactDetector detector;
   constexpr double k_touching_share = 0.01;
   e.contacts = static_cast<int>(detector.detect(bodies, k_touching_share * radius + 1e-6).size());
   constexpr std::size_t k_bytes_per_body = 2000, k_bytes_per_contact = 2000;
@@ -55,12 +55,12 @@ Estimate estimate(const WorldParts& parts) {
 
 int check(const CheckOptions& options) {
   constexpr std::size_t k_indent = 2, k_reason = 29;
-  const Scene scene = read_flagged_scene(options.scene);
+  const scene::Scene scene = read_flagged_scene(options.scene);
   const auto logger = make_logger(options.json ? "off" : "warn", "");
   WarningCounts warnings(logger);
-  PhaseProgress progress(std::cerr, phase_style(options.quiet, options.json), "building the scene");
+  output::PhaseProgress progress(std::cerr, output::phase_style(options.quiet, options.json), "building the scene");
   progress.make_room_for(*logger);
-  WorldParts parts = build_world(scene, 1, warnings);
+  sim::WorldParts parts = sim::build_world(scene, 1, warnings);
   progress.next("finding the contacts at the start");
   const Estimate e = estimate(parts);
   if (scene.vessel) progress.next("finding how the vessel floats");
@@ -76,7 +76,7 @@ int check(const CheckOptions& options) {
                                   {"not_built", parts.info.not_built},
                                   {"notes", scene.notes},
                                   {"derived_defaults", scene.derived},
-                                  {"warnings", warning_texts(parts.info)},
+                                  {"warnings", sim::warning_texts(parts.info)},
                                   {"bodies", e.bodies},
                                   {"floes", parts.info.floes},
                                   {"contacts_estimated", e.contacts},
@@ -86,19 +86,20 @@ int check(const CheckOptions& options) {
     std::cout << result.dump(2) << "\n";
     return exit_done;
   }
-  for (const auto& text : warning_texts(parts.info)) std::cout << wrapped("warning: " + text, k_indent) << "\n";
+  for (const auto& text : sim::warning_texts(parts.info))
+    std::cout << output::wrapped("warning: " + text, k_indent) << "\n";
   std::cout << fmt::format("{}: valid\n\nrequired by the scene:\n", scene.file.string());
   for (const auto& [name, why] : parts.info.modules)
-    std::cout << fmt::format("  {:<26} {}\n", name, wrapped(why, k_reason));
+    std::cout << fmt::format("  {:<26} {}\n", name, output::wrapped(why, k_reason));
   std::cout << "not asked for, so not built:\n ";
   for (const auto& name : parts.info.not_built) std::cout << " " << name;
   std::cout << "\n";
   for (const auto* notes : {&scene.notes, &scene.derived})
-    for (const auto& note : *notes) std::cout << wrapped("note: " + note, k_indent) << "\n";
+    for (const auto& note : *notes) std::cout << output::wrapped("note: " + note, k_indent) << "\n";
   if (equilibrium) std::cout << equilibrium->text;
   std::cout << periods.text;
   std::cout << fmt::format("\n{} bodies ({} floes), about {} contacts, about {:.0f} MB, {} steps of {} s\n", e.bodies,
-                           parts.info.floes, e.contacts, std::ceil(e.memory_MB), number_of_steps(scene.time),
+                           parts.info.floes, e.contacts, std::ceil(e.memory_MB), scene::number_of_steps(scene.time),
                            scene.time.step);
   return exit_done;
 }
@@ -114,4 +115,4 @@ void add_check(CLI::App& app, Action& action) {
   command->callback([&action, options] { action = [options] { return check(*options); }; });
 }
 
-}  // namespace nilas
+}  // namespace nilas::commands

@@ -9,19 +9,19 @@
 #include "core/base/error.h"
 #include "core/base/stop_request.h"
 
-namespace nilas {
+namespace nilas::commands {
 
 namespace {
 
 struct CompareOptions {
-  StudyOptions study;
+  compare::StudyOptions study;
   std::string problems;  ///< folder of stored problems; empty: a scene is compared
   SceneFlags scene;
 };
 
 int compare_problems(const CompareOptions& options, bool goes_on) {
-  const StudyOptions& shared = options.study;
-  ProblemStudyOptions study;
+  const compare::StudyOptions& shared = options.study;
+  compare::ProblemStudyOptions study;
   study.folder = options.problems;
   study.solvers = shared.grid.solvers;
   study.laws = shared.grid.laws;
@@ -37,7 +37,7 @@ int compare_problems(const CompareOptions& options, bool goes_on) {
   study.quiet = shared.quiet;
   study.force = shared.force;
   if (goes_on) study.resume = shared.resume;
-  return run_problem_study(study, stop_requested);
+  return compare::run_problem_study(study, stop_requested);
 }
 
 /// Whether the comparison in a folder is of stored problems and not of a scene.
@@ -53,10 +53,10 @@ int compare(CompareOptions options) {
                      " is of stored problems, which have no realisations");
   if (!options.problems.empty() || goes_on) return compare_problems(options, goes_on);
   options.study.scene = options.scene.file;
-  for (const auto& text : options.scene.set) options.study.overrides.push_back(split_override(text));
+  for (const auto& text : options.scene.set) options.study.overrides.push_back(scene::split_override(text));
   if (options.scene.until) options.study.overrides.emplace_back("time/@end", fmt::format("{}", *options.scene.until));
   if (options.scene.seed) options.study.overrides.emplace_back("seed/@value", fmt::format("{}", *options.scene.seed));
-  return run_study(options.study, stop_requested);
+  return compare::run_study(options.study, stop_requested);
 }
 
 template <class List>
@@ -65,7 +65,7 @@ CLI::Option* add_list(CLI::App& command, const std::string& flag, List& values, 
 }
 
 /// Adds the flags that say what is compared. Returns that of an ablation.
-CLI::Option* add_grid_flags(CLI::App& command, GridRequest& grid) {
+CLI::Option* add_grid_flags(CLI::App& command, compare::GridRequest& grid) {
   add_list(command, "--solvers", grid.solvers,
            "Compares these contact solvers, separated by commas. `nilas solvers` lists the names.");
   add_list(command, "--laws", grid.laws, "Compares these contact laws, separated by commas.");
@@ -85,7 +85,7 @@ CLI::Option* add_grid_flags(CLI::App& command, GridRequest& grid) {
 }
 
 /// Adds the flags of the realisations, the reference and the budget. Returns that of the reference's tolerance.
-CLI::Option* add_effort_flags(CLI::App& command, StudyOptions& study) {
+CLI::Option* add_effort_flags(CLI::App& command, compare::StudyOptions& study) {
   command
       .add_option("--seeds", study.realisations,
                   "Makes this many realisations of each setting, at least 1. The default is 3, or fewer if the budget "
@@ -115,7 +115,7 @@ CLI::Option* add_effort_flags(CLI::App& command, StudyOptions& study) {
 
 /// Adds the flags of the folder, the changes of the scene and the output. Returns that of the folder to resume.
 CLI::Option* add_output_flags(CLI::App& command, CompareOptions& options) {
-  StudyOptions& study = options.study;
+  compare::StudyOptions& study = options.study;
   auto* resume = command.add_option("--resume", study.resume,
                                     "Continues the comparison in this folder. It replaces the scene argument.");
   command.add_option("--out", study.out, "Writes into this folder. The default is runs/<scene>-compare-<time>.");
@@ -175,4 +175,4 @@ void add_compare(CLI::App& app, Action& action) {
   });
 }
 
-}  // namespace nilas
+}  // namespace nilas::commands

@@ -10,7 +10,7 @@
 #include "core/scene/read/read_scene.h"
 #include "core/sim/build/build_world.h"
 
-namespace nilas {
+namespace nilas::commands {
 
 namespace {
 
@@ -23,14 +23,14 @@ struct FieldOptions {
 
 /// All floes of a scene as one field. Its concentration is the share of ice in all water in which fields of free floes
 /// were laid out.
-FieldResult as_one_field(const WorldParts& parts, const std::vector<FieldReport>& reports) {
-  FieldResult all;
-  for (const PlannedIce& ice : parts.ice)
+field::FieldResult as_one_field(const sim::WorldParts& parts, const std::vector<FieldReport>& reports) {
+  field::FieldResult all;
+  for (const sim::PlannedIce& ice : parts.ice)
     for (const auto& one : ice.floes) {
       all.floes.push_back(one.floe);
       all.floes.back().fixed = one.fixed;
     }
-  for (const PlannedIce& ice : parts.ice)
+  for (const sim::PlannedIce& ice : parts.ice)
     all.weak_lines.insert(all.weak_lines.end(), ice.weak_lines.begin(), ice.weak_lines.end());
   double ice_area = 0, free_area = 0;
   for (const FieldReport& report : reports) {
@@ -51,17 +51,17 @@ std::string picture_file(const FieldOptions& options) {
 }
 
 int make_field(const FieldOptions& options) {
-  const Scene scene = read_flagged_scene(options.scene);
+  const scene::Scene scene = read_flagged_scene(options.scene);
   if (!scene.ice) throw InputError(options.scene.file + ": the scene has no <ice>");
   const auto logger = make_logger("warn", "");
   WarningCounts warnings(logger);
-  PhaseProgress progress(std::cerr, phase_style(options.quiet, options.json), "laying out the ice");
+  output::PhaseProgress progress(std::cerr, output::phase_style(options.quiet, options.json), "laying out the ice");
   progress.make_room_for(*logger);
-  const WorldParts parts = build_world(scene, options.threads, warnings);
+  const sim::WorldParts parts = sim::build_world(scene, options.threads, warnings);
   progress.next("measuring the ice");
   const std::vector<FieldReport> reports = field_reports(scene, parts);
-  const FieldResult all = as_one_field(parts, reports);
-  write_field(all, options.out);
+  const field::FieldResult all = as_one_field(parts, reports);
+  field::write_field(all, options.out);
   const std::string picture = reports.empty() ? "" : picture_file(options);
   if (!picture.empty()) progress.next("drawing " + picture);
   if (!picture.empty()) draw_field(picture, scene.name, parts.ice, reports);
@@ -116,4 +116,4 @@ void add_field(CLI::App& app, Action& action) {
   command->callback([&action, options] { action = [options] { return make_field(*options); }; });
 }
 
-}  // namespace nilas
+}  // namespace nilas::commands

@@ -10,7 +10,7 @@
 #include "core/output/text/console.h"
 #include "core/output/text/phase_progress.h"
 
-namespace nilas {
+namespace nilas::commands {
 
 namespace {
 
@@ -97,7 +97,7 @@ void add_origin(nlohmann::ordered_json& description, const HullOptions& options)
 }
 
 /// Draws hull.png. Returns why it could not be drawn, else an empty text: the hull is complete without it.
-std::string try_to_draw(const Hull& hull, double level, const std::filesystem::path& folder) {
+std::string try_to_draw(const hull::Hull& hull, double level, const std::filesystem::path& folder) {
   try {
     draw_hull(hull, level, folder);
     return "";
@@ -107,7 +107,7 @@ std::string try_to_draw(const Hull& hull, double level, const std::filesystem::p
 }
 
 /// Throws InputError if the new hull would replace the mesh file, which a failure would then lose.
-void demand_mesh_stays(const std::filesystem::path& mesh, const NewHullFolder& folder) {
+void demand_mesh_stays(const std::filesystem::path& mesh, const hull::NewHullFolder& folder) {
   std::error_code ignored;
   if (folder.replaces(mesh) || std::filesystem::equivalent(mesh, folder.path(), ignored))
     throw InputError(mesh.string() + ": --out " + folder.path().string() + " would replace it; choose another folder");
@@ -115,14 +115,14 @@ void demand_mesh_stays(const std::filesystem::path& mesh, const NewHullFolder& f
 
 /// The preparation that the flags ask for. `progress` is told of its stages. Throws InputError for axes that are not
 /// across each other.
-HullPreparation preparation_of(const HullOptions& options, PhaseProgress& progress) {
+HullPreparation preparation_of(const HullOptions& options, output::PhaseProgress& progress) {
   HullPreparation how = options.preparation;
   how.stage_done = [&progress](const std::string& stage) {
     progress.next(stage == "read"   ? "mending the mesh"
                   : stage == "mend" ? "cutting the solid into convex parts"
                                     : "measuring the hull");
   };
-  how.axes = {mesh_axis(options.forward), mesh_axis(options.up)};
+  how.axes = {hull::mesh_axis(options.forward), hull::mesh_axis(options.up)};
   if (!how.axes.across())
     throw InputError("nilas hull: found --forward " + options.forward + " with --up " + options.up +
                      "; allowed: axes at right angles to each other");
@@ -131,35 +131,35 @@ HullPreparation preparation_of(const HullOptions& options, PhaseProgress& progre
   return how;
 }
 
-PreparedHull generated(const HullForm& form) {
+PreparedHull generated(const hull::HullForm& form) {
   PreparedHull made;
-  made.hull = generate_hull(form);
+  made.hull = hull::generate_hull(form);
   made.draught = form.draught;
   return made;
 }
 
 /// The origin of the hull, for advice on it.
-HullUse use_of(const HullOptions& options, const PreparedHull& made) {
-  HullUse use;
+hull::HullUse use_of(const HullOptions& options, const PreparedHull& made) {
+  hull::HullUse use;
   use.generated = !options.generate.empty();
   if (options.parameters.contains("draught")) use.draught = made.draught;
   if (use.generated) return use;
   const std::filesystem::path mesh = options.mesh;
   use.file = (is_folder(mesh) ? mesh / "fluid.stl" : mesh).string();
-  use.drawn = {mesh_axis(options.forward), mesh_axis(options.up)};
+  use.drawn = {hull::mesh_axis(options.forward), hull::mesh_axis(options.up)};
   use.scale = options.preparation.scale;
   return use;
 }
 
-void warn(const std::string& text) { std::cerr << "warning: " << wrapped(text, 2) << "\n"; }
+void warn(const std::string& text) { std::cerr << "warning: " << output::wrapped(text, 2) << "\n"; }
 
 int hull(const HullOptions& options) {
   demand_used_flags(options);
-  NewHullFolder folder(options.out, options.force);
+  hull::NewHullFolder folder(options.out, options.force);
   if (!options.mesh.empty()) demand_mesh_stays(options.mesh, folder);
-  PhaseProgress progress(std::cerr, phase_style(options.quiet, options.json),
-                         options.mesh.empty() ? "generating the hull" : "reading the mesh");
-  PreparedHull made = options.mesh.empty() ? generated(hull_form(options.generate, options.parameters))
+  output::PhaseProgress progress(std::cerr, output::phase_style(options.quiet, options.json),
+                                 options.mesh.empty() ? "generating the hull" : "reading the mesh");
+  PreparedHull made = options.mesh.empty() ? generated(hull::hull_form(options.generate, options.parameters))
                                            : prepare_hull(options.mesh, preparation_of(options, progress), folder);
   progress.next("measuring the hull");
   made.use = use_of(options, made);
@@ -169,7 +169,7 @@ int hull(const HullOptions& options) {
   progress.next("writing the hull and its picture");
   nlohmann::ordered_json description = result;
   add_origin(description, options);
-  write_hull(made.hull, folder.staging(), description.dump(2) + "\n");
+  hull::write_hull(made.hull, folder.staging(), description.dump(2) + "\n");
   const std::string no_picture =
       try_to_draw(made.hull, waterline_level(made.hull.fluid, made.draught), folder.staging());
   folder.publish();
@@ -263,4 +263,4 @@ void add_hull(CLI::App& app, Action& action) {
   });
 }
 
-}  // namespace nilas
+}  // namespace nilas::commands

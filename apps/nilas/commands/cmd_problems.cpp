@@ -5,12 +5,12 @@
 #include "apps/nilas/commands/commands.h"
 #include "apps/verify/setting.h"
 
-namespace nilas {
+namespace nilas::commands {
 
 namespace {
 
 struct ProblemsFlags {
-  ProblemExportOptions shared;
+  compare::ProblemExportOptions shared;
   bool no_scenes = false;
 };
 
@@ -18,8 +18,8 @@ int problems(ProblemsFlags flags) {
   if (flags.no_scenes)
     flags.shared.scenes.clear();
   else if (flags.shared.scenes.empty())
-    flags.shared.scenes = verify_scenes().parent_path();
-  return export_problems(flags.shared);
+    flags.shared.scenes = verify::verify_scenes().parent_path();
+  return compare::export_problems(flags.shared);
 }
 
 }  // namespace
@@ -27,7 +27,7 @@ int problems(ProblemsFlags flags) {
 void add_problems(CLI::App& app, Action& action) {
   auto* command = app.add_subcommand("problems", "Writes hard contact problems with certified solutions.");
   auto flags = std::make_shared<ProblemsFlags>();
-  ProblemExportOptions& shared = flags->shared;
+  compare::ProblemExportOptions& shared = flags->shared;
   shared.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   command->add_option("--export", shared.out, "Writes the FCLIB files and problems.csv into this folder.")->required();
   auto* scenes = command->add_option("--scenes", shared.scenes,
@@ -48,4 +48,4 @@ void add_problems(CLI::App& app, Action& action) {
   command->callback([&action, flags] { action = [flags] { return problems(*flags); }; });
 }
 
-}  // namespace nilas
+}  // namespace nilas::commands

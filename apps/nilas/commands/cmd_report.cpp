@@ -12,7 +12,7 @@
 #include "core/scene/read/read_scene.h"
 #include "core/sim/simulation.h"
 
-namespace nilas {
+namespace nilas::commands {
 
 namespace {
 
@@ -24,24 +24,25 @@ struct ReportOptions {
 
 int draw_report(const ReportOptions& options) {
   const std::filesystem::path run = options.run, out = options.out.empty() ? run : std::filesystem::path(options.out);
-  const Scene scene = read_scene(run / "scene.xml");
+  const scene::Scene scene = scene::read_scene(run / "scene.xml");
   WarningCounts warnings(make_logger("off", ""));
-  PhaseProgress progress(std::cerr, phase_style(false, false), "building the scene again for its shapes");
-  const Simulation simulation(scene, 1, warnings);
+  output::PhaseProgress progress(std::cerr, output::phase_style(false, false),
+                                 "building the scene again for its shapes");
+  const sim::Simulation simulation(scene, 1, warnings);
   progress.next("reading the contacts");
   std::vector<std::string> notes;
-  const ContactPictureInput picture =
-      contact_picture(run, scene, simulation, options.body, options.contacts, options.window, notes);
+  const report::ContactPictureInput picture =
+      report::contact_picture(run, scene, simulation, options.body, options.contacts, options.window, notes);
   std::error_code error;
   std::filesystem::create_directories(out, error);
   if (error) throw FileError(out.string() + ": " + error.message());
   progress.next("drawing the contacts");
-  plot(out, contact_picture_script(picture));
+  output::plot(out, report::contact_picture_script(picture));
   progress.end();
   for (const auto& [window, loads, floes] : picture.rows)
     std::cout << fmt::format("t = {:g} +- {:g} s: {} contacts in {} steps\n  {}\n", window.t, window.half_width,
                              window.marks.size(), window.steps, loads);
-  for (const auto& note : notes) std::cout << wrapped(note, 0) << "\n";
+  for (const auto& note : notes) std::cout << output::wrapped(note, 0) << "\n";
   std::cout << "written: " << (out / "contacts.svg").string() << ", " << (out / "contacts.png").string() << "\n";
   return exit_done;
 }
@@ -70,4 +71,4 @@ void add_report(CLI::App& app, Action& action) {
   command->callback([&action, options] { action = [options] { return draw_report(*options); }; });
 }
 
-}  // namespace nilas
+}  // namespace nilas::commands

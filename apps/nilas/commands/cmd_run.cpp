@@ -24,13 +24,13 @@
 #include "core/output/text/phase_progress.h"
 #include "core/sim/simulation.h"
 
-namespace nilas {
+namespace nilas::commands {
 
 namespace {
 
 /// The folder that the scene names, else a dated one.
-std::filesystem::path default_folder(const Scene& scene) {
-  return scene.output.folder.empty() ? dated_folder(scene.name) : std::filesystem::path(scene.output.folder);
+std::filesystem::path default_folder(const scene::Scene& scene) {
+  return scene.output.folder.empty() ? output::dated_folder(scene.name) : std::filesystem::path(scene.output.folder);
 }
 
 struct RunOptions {
@@ -43,7 +43,7 @@ struct RunOptions {
 
 /// The open-water run of --open-water-run, if any. Throws, as OpenWater does, before a file of an earlier run is
 /// replaced.
-std::optional<OpenWater> stored_open_water(const RunOptions& options, const Scene& scene) {
+std::optional<OpenWater> stored_open_water(const RunOptions& options, const scene::Scene& scene) {
   if (options.open_water) OpenWater::demand_towed(scene);
   if (options.open_water_run.empty()) return std::nullopt;
   return OpenWater::stored(options.open_water_run);
@@ -82,11 +82,11 @@ class Run {
 
   int execute() {
     const auto built = build();
-    Simulation& simulation = *built;
+    sim::Simulation& simulation = *built;
     if (options_.open_water) open_water_ = tow_without_ice();
     if (options_.twins > 0) build_twins(simulation);
     say_what_was_built(simulation.info());
-    Console console(options_.json ? std::cerr : std::cout, run_style(), scene_.time.start, scene_.time.end);
+    output::Console console(options_.json ? std::cerr : std::cout, run_style(), scene_.time.start, scene_.time.end);
     console.make_room_for(*logger_);
     if (checkpoint_)
       go_on(simulation, console);
@@ -100,7 +100,7 @@ class Run {
       logger_->log(ending.exit_code == exit_interrupted ? spdlog::level::warn : spdlog::level::err, "{}",
                    ending.message);
     warnings_.summarise();
-    SummaryInput input = summary_input(ending, wall);
+    output::SummaryInput input = summary_input(ending, wall);
     input.brash_mass = simulation.total("brash_mass");
     input.crushed_mass = simulation.total("crushed_mass");
     input.extruded_mass = simulation.total("extruded_mass");
@@ -114,7 +114,7 @@ class Run {
     const auto ice_load = input.ice_load;
     const auto& columns = simulation.info().module_columns;
     const bool crushes = std::find(columns.begin(), columns.end(), "crushed_overlap_max_m") != columns.end();
-    std::optional<BrokenIce> ice;
+    std::optional<output::BrokenIce> ice;
     if (scene_.fracture && simulation.info().floes > 0)
       ice = {simulation.info().floes, floes_of(simulation.bodies()), input.crushed_mass,
              input.brash_mass,        input.extruded_mass,           crushes};
@@ -125,29 +125,30 @@ class Run {
     if (options_.json)
       std::cout << summary.dump(2) << "\n";
     else
-      console.close(
-          closing_account(folder_.statistics(), wall, folder_.path(), ice, twins ? &*twins : nullptr, ice_load));
+      console.close(output::closing_account(folder_.statistics(), wall, folder_.path(), ice, twins ? &*twins : nullptr,
+                                            ice_load));
     return ending.exit_code;
   }
 
  private:
-  static long floes_of(const Bodies& bodies) {
-    return std::count(bodies.kind.begin(), bodies.kind.end(), BodyKind::floe);
+  static long floes_of(const bodies::Bodies& bodies) {
+    return std::count(bodies.kind.begin(), bodies.kind.end(), bodies::BodyKind::floe);
   }
   /// The console's style while the run advances. With --json, standard output is for the results alone.
-  ConsoleStyle run_style() const {
-    return options_.json ? phase_style(options_.quiet, true) : console_style(options_.quiet);
+  output::ConsoleStyle run_style() const {
+    return options_.json ? output::phase_style(options_.quiet, true) : output::console_style(options_.quiet);
   }
-  ConsoleStyle before_run_style() const { return phase_style(options_.quiet, options_.json); }
+  output::ConsoleStyle before_run_style() const { return output::phase_style(options_.quiet, options_.json); }
   std::string console_level() const { return options_.quiet ? "warn" : options_.log_level; }
   /// Wall time of all sessions of the run [s].
-  double wall_seconds() const { return wall_before_ + steady_seconds() - started_; }
+  double wall_seconds() const { return wall_before_ + output::steady_seconds() - started_; }
 
-  std::unique_ptr<Simulation> build() {
-    PhaseProgress progress(std::cerr, before_run_style(), scene_.ice ? "laying out the ice" : "building the scene");
+  std::unique_ptr<sim::Simulation> build() {
+    output::PhaseProgress progress(std::cerr, before_run_style(),
+                                   scene_.ice ? "laying out the ice" : "building the scene");
     progress.make_room_for(*logger_);
     try {
-      return std::make_unique<Simulation>(scene_, options_.threads, warnings_);
+      return std::make_unique<sim::Simulation>(scene_, options_.threads, warnings_);
     } catch (...) {
       if (!goes_on_) folder_.abandon();
       throw;
@@ -155,7 +156,7 @@ class Run {
   }
 
   OpenWater tow_without_ice() {
-    const PhaseProgress progress(std::cerr, before_run_style(), "towing the vessel without ice first");
+    const output::PhaseProgress progress(std::cerr, before_run_style(), "towing the vessel without ice first");
     try {
       return OpenWater::towed(scene_, options_.threads);
     } catch (...) {
@@ -164,8 +165,8 @@ class Run {
     }
   }
 
-  void build_twins(const Simulation& simulation) {
-    const PhaseProgress progress(std::cerr, before_run_style(), "building the perturbed runs");
+  void build_twins(const sim::Simulation& simulation) {
+    const output::PhaseProgress progress(std::cerr, before_run_style(), "building the perturbed runs");
     try {
       twins_.emplace(scene_, simulation, options_.twins, options_.threads);
     } catch (...) {
@@ -174,16 +175,16 @@ class Run {
     }
   }
 
-  void begin(const Simulation& simulation) {
+  void begin(const sim::Simulation& simulation) {
     if (goes_on_) {
       logger_->info("the run stopped before its first checkpoint, so it begins again");
-      clear_after(folder_.path());
+      output::clear_after(folder_.path());
     }
     folder_.open(scene_, simulation.info(), warnings_);
     folder_.start(scene_.time.start, simulation.initial_ledger(), simulation.bodies());
   }
 
-  void go_on(Simulation& simulation, Console& console) {
+  void go_on(sim::Simulation& simulation, output::Console& console) {
     const StateReader in(*checkpoint_);
     simulation.restore(in.group("simulation"));
     folder_.resume(scene_, simulation.info(), warnings_, in.group("outputs"));
@@ -195,8 +196,8 @@ class Run {
     checkpoint_.reset();
   }
 
-  void write_checkpoint(const Simulation& simulation) {
-    const double begun = steady_seconds();
+  void write_checkpoint(const sim::Simulation& simulation) {
+    const double begun = output::steady_seconds();
     State state;
     StateWriter out(state);
     simulation.save(out.group("simulation"));
@@ -206,11 +207,11 @@ class Run {
     folder_.write_checkpoint(*origin_, std::move(state));
     steps_saved_ = simulation.steps();
     logger_->debug("a checkpoint at {:g} s was written in {:.1f} ms", simulation.time(),
-                   1e3 * (steady_seconds() - begun));
+                   1e3 * (output::steady_seconds() - begun));
   }
 
-  Ending advance(Simulation& simulation, Console& console) {
-    const long steps = number_of_steps(scene_.time), done = simulation.steps();
+  Ending advance(sim::Simulation& simulation, output::Console& console) {
+    const long steps = scene::number_of_steps(scene_.time), done = simulation.steps();
     const double every = scene_.output.checkpoint_every;
     Ending ending;
     const long checkpoint_steps = every > 0 ? std::max(1L, std::lround(every / scene_.time.step)) : 0;
@@ -219,7 +220,7 @@ class Run {
       for (long k = done; k < steps && !stop_requested(); ++k) {
         ending.early = simulation.end_of_course();
         if (!ending.early.empty()) break;
-        const StepRecord record = twins_ ? twins_->step(simulation) : simulation.step();
+        const sim::StepRecord record = twins_ ? twins_->step(simulation) : simulation.step();
         folder_.store(record, simulation.last_problem());
         folder_.record(record, simulation.solved_substeps(), simulation.bodies(),
                        [&](std::int64_t floe) { return simulation.of_body("damage", floe); });
@@ -238,12 +239,12 @@ class Run {
     return ending;
   }
 
-  void say_what_was_built(const RunInfo& info) {
+  void say_what_was_built(const sim::RunInfo& info) {
     logger_->debug("scene {}", scene_.file.string());
     constexpr std::size_t k_indent = 2;
     const bool terminal = isatty(STDERR_FILENO) == 1;
-    const auto fitted = [&](const std::string& text) { return terminal ? wrapped(text, k_indent) : text; };
-    for (const auto& text : warning_texts(info)) logger_->warn("{}", fitted(text));
+    const auto fitted = [&](const std::string& text) { return terminal ? output::wrapped(text, k_indent) : text; };
+    for (const auto& text : sim::warning_texts(info)) logger_->warn("{}", fitted(text));
     for (const auto& note : scene_.notes) logger_->info("{}", fitted(note));
     for (const auto& note : scene_.derived) logger_->info("{}", fitted(note));
     for (const auto& [name, why] : info.modules) logger_->debug("built: {} ({})", name, why);
@@ -252,8 +253,8 @@ class Run {
     logger_->debug("not asked for, so not built:{}", absent);
   }
 
-  SummaryInput summary_input(const Ending& ending, double wall) const {
-    SummaryInput input;
+  output::SummaryInput summary_input(const Ending& ending, double wall) const {
+    output::SummaryInput input;
     input.status = ending.status;
     input.exit_code = ending.exit_code;
     input.ended_early = ending.early;
@@ -266,15 +267,15 @@ class Run {
   }
 
   const RunOptions& options_;
-  Scene scene_;
+  scene::Scene scene_;
   std::optional<OpenWater> open_water_;  ///< if it is asked for
-  RunFolder folder_;
-  bool goes_on_ = false;                    ///< the run continues one that the folder holds
-  std::optional<State> checkpoint_;         ///< the state from which the run continues
-  std::optional<CheckpointOrigin> origin_;  ///< the origin of the checkpoints, once there are any
-  std::optional<TwinRuns> twins_;           ///< the perturbed runs, if they are asked for
-  long steps_saved_ = -1;                   ///< steps in the newest checkpoint; -1: there is none
-  double started_ = steady_seconds(), wall_before_ = 0;
+  output::RunFolder folder_;
+  bool goes_on_ = false;                         ///< the run continues one that the folder holds
+  std::optional<State> checkpoint_;              ///< the state from which the run continues
+  std::optional<sim::CheckpointOrigin> origin_;  ///< the origin of the checkpoints, once there are any
+  std::optional<TwinRuns> twins_;                ///< the perturbed runs, if they are asked for
+  long steps_saved_ = -1;                        ///< steps in the newest checkpoint; -1: there is none
+  double started_ = output::steady_seconds(), wall_before_ = 0;
   std::shared_ptr<spdlog::logger> logger_;
   WarningCounts warnings_;
 };
@@ -362,4 +363,4 @@ void add_run(CLI::App& app, Action& action) {
   });
 }
 
-}  // namespace nilas
+}  // namespace nilas::commands

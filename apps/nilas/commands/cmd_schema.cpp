@@ -4,7 +4,7 @@
 #include "apps/nilas/commands/commands.h"
 #include "core/scene/schema/schema.h"
 
-namespace nilas {
+namespace nilas::commands {
 
 void add_schema(CLI::App& app, Action& action) {
   auto* command = app.add_subcommand("schema", "Prints the schema of scene files.");
@@ -16,10 +16,10 @@ void add_schema(CLI::App& app, Action& action) {
   command->add_flag("--commands", *commands, "Prints the page of the documentation that lists all commands instead.");
   command->callback([&action, &app, markdown, commands] {
     action = [&app, markdown, commands] {
-      std::cout << (*commands ? command_reference(app) : *markdown ? schema_markdown() : schema_xsd());
+      std::cout << (*commands ? command_reference(app) : *markdown ? scene::schema_markdown() : scene::schema_xsd());
       return exit_done;
     };
   });
 }
 
-}  // namespace nilas
+}  // namespace nilas::commands

@@ -13,7 +13,7 @@
 #include "core/base/error.h"
 #include "core/output/text/phase_progress.h"
 
-namespace nilas {
+namespace nilas::commands {
 
 namespace {
 
@@ -30,10 +30,10 @@ struct SolveOptions {
 constexpr double k_short_solve = 0.05;
 
 struct Outcome {
-  ContactSolution solution;
-  SolveStatus claimed = SolveStatus::numerical_error;  ///< the status that the solver reports
-  Residuals residuals;
-  ContactCounts counts;
+  contact::ContactSolution solution;
+  contact::SolveStatus claimed = contact::SolveStatus::numerical_error;  ///< the status that the solver reports
+  contact::Residuals residuals;
+  contact::ContactCounts counts;
   double seconds = 0;
 };
 
@@ -44,7 +44,7 @@ void check_target(const std::filesystem::path& target) {
     throw FileError(target.string() + ": cannot be written because there is no folder " + folder.string());
 }
 
-void set_law(const ParsedLaw& law, FclibProblem& problem) {
+void set_law(const ParsedLaw& law, contact::FclibProblem& problem) {
   std::visit(
       [&law](auto& form) {
         form.law = law.law;
@@ -54,17 +54,17 @@ void set_law(const ParsedLaw& law, FclibProblem& problem) {
 }
 
 /// Sets the velocities to those that follow from the impulses alone, so that the measured answer is the one written.
-void follow_impulses(const LocalProblem& problem, ContactSolution& solution) {
-  solution.u = contact_velocities(problem, solution.r);
+void follow_impulses(const contact::LocalProblem& problem, contact::ContactSolution& solution) {
+  solution.u = contact::contact_velocities(problem, solution.r);
 }
 
-void follow_impulses(const ContactProblem& problem, ContactSolution& solution) {
-  solution.v = velocities(problem, solution.r);
-  solution.u = contact_velocities(problem, solution.v);
+void follow_impulses(const contact::ContactProblem& problem, contact::ContactSolution& solution) {
+  solution.v = contact::velocities(problem, solution.r);
+  solution.u = contact::contact_velocities(problem, solution.v);
 }
 
 template <class Problem>
-Outcome solve_form(const Problem& problem, const ContactSolver& solver, const SolveOptions& options) {
+Outcome solve_form(const Problem& problem, const solvers::ContactSolver& solver, const SolveOptions& options) {
   Outcome out;
   for (int k = 0; k < options.repeat && (k == 0 || out.seconds < k_short_solve); ++k) {
     const auto start = std::chrono::steady_clock::now();
@@ -73,20 +73,20 @@ Outcome solve_form(const Problem& problem, const ContactSolver& solver, const So
     out.seconds = k == 0 ? seconds : std::min(out.seconds, seconds);
   }
   follow_impulses(problem, out.solution);
-  out.residuals = measure(problem, out.solution.r);
-  out.counts = count_contacts(problem, out.solution.r, out.solution.u);
+  out.residuals = contact::measure(problem, out.solution.r);
+  out.counts = contact::count_contacts(problem, out.solution.r, out.solution.u);
   out.claimed = out.solution.status;
   // the measured residual decides, whatever the solver reports
-  if (out.claimed == SolveStatus::converged && options.tolerance > 0 &&
+  if (out.claimed == contact::SolveStatus::converged && options.tolerance > 0 &&
       !(out.residuals.law_map_m_s <= options.tolerance))
-    out.solution.status = SolveStatus::stalled;
+    out.solution.status = contact::SolveStatus::stalled;
   return out;
 }
 
-ordered_json solve_report(const SolveOptions& options, const FclibProblem& problem, const Outcome& outcome) {
+ordered_json solve_report(const SolveOptions& options, const contact::FclibProblem& problem, const Outcome& outcome) {
   const auto& solution = outcome.solution;
-  const bool failed = solution.status == SolveStatus::numerical_error;
-  const bool late = solution.status == SolveStatus::iteration_limit && options.max_seconds > 0 &&
+  const bool failed = solution.status == contact::SolveStatus::numerical_error;
+  const bool late = solution.status == contact::SolveStatus::iteration_limit && options.max_seconds > 0 &&
                     outcome.seconds >= options.max_seconds;
   ordered_json table{{"problem", std::filesystem::path(options.problem).stem().string()},
                      {"title", problem.title},
@@ -101,14 +101,14 @@ ordered_json solve_report(const SolveOptions& options, const FclibProblem& probl
                                         : ""},
                      {"law", options.law},
                      {"tolerance", options.tolerance},
-                     {"status", to_string(solution.status)},
-                     {"claimed", to_string(outcome.claimed)},
+                     {"status", contact::to_string(solution.status)},
+                     {"claimed", contact::to_string(outcome.claimed)},
                      {"iterations", solution.iterations},
                      {"seconds", outcome.seconds},
                      {"open", outcome.counts.open},
                      {"sticking", outcome.counts.sticking},
                      {"sliding", outcome.counts.sliding}};
-  for (const auto& column : residual_columns()) table[column.name] = outcome.residuals.*column.member;
+  for (const auto& column : contact::residual_columns()) table[column.name] = outcome.residuals.*column.member;
   return table;
 }
 
@@ -129,16 +129,17 @@ void print(const ordered_json& table, bool json) {
 }
 
 int solve_problem(const SolveOptions& options) {
-  const SolverEntry& entry = find_solver(options.solver);
+  const contact::SolverEntry& entry = contact::find_solver(options.solver);
   const ParsedLaw law = parse_law(options.law);
-  demand_law(entry, law.law);
+  contact::demand_law(entry, law.law);
   if (!options.write.empty()) check_target(options.write);
-  PhaseProgress progress(std::cerr, phase_style(options.quiet, options.json), "reading the problem");
-  FclibProblem problem = read_fclib(options.problem);
+  output::PhaseProgress progress(std::cerr, output::phase_style(options.quiet, options.json), "reading the problem");
+  contact::FclibProblem problem = contact::read_fclib(options.problem);
   set_law(law, problem);
-  if (const auto* const global = std::get_if<ContactProblem>(&problem.problem); global && global->has_moments())
-    demand_moments(entry, law.law);
-  SolverSettings settings;
+  if (const auto* const global = std::get_if<contact::ContactProblem>(&problem.problem);
+      global && global->has_moments())
+    contact::demand_moments(entry, law.law);
+  contact::SolverSettings settings;
   settings.tolerance = options.tolerance;
   settings.max_iterations = options.max_iterations;
   settings.max_seconds = options.max_seconds;
@@ -151,10 +152,10 @@ int solve_problem(const SolveOptions& options) {
   print(solve_report(options, problem, outcome), options.json);
   std::cout.flush();
   if (!options.write.empty()) {
-    write_fclib(options.write, problem, &outcome.solution);
+    contact::write_fclib(options.write, problem, &outcome.solution);
     if (!options.json) std::cout << "written: " << options.write << "\n";
   }
-  return outcome.solution.status == SolveStatus::converged ? exit_done : exit_numerics;
+  return outcome.solution.status == contact::SolveStatus::converged ? exit_done : exit_numerics;
 }
 
 }  // namespace
@@ -176,7 +177,8 @@ void add_solve(CLI::App& app, Action& action) {
       ->capture_default_str();
   command
       ->add_option("--tolerance", options->tolerance,
-                   "Stops the solver at this residual law_map_m_s [m/s]. With 0 it stops only when the residual is 0, when it stalls, or when the iterations are spent.")
+                   "Stops the solver at this residual law_map_m_s [m/s]. With 0 it stops only when the residual is 0, "
+                   "when it stalls, or when the iterations are spent.")
       ->check(at_least(0))
       ->capture_default_str();
   command
@@ -204,4 +206,4 @@ void add_solve(CLI::App& app, Action& action) {
   command->callback([&action, options] { action = [options] { return solve_problem(*options); }; });
 }
 
-}  // namespace nilas
+}  // namespace nilas::commands

@@ -5,22 +5,22 @@
 #include "contact/registry.h"
 #include "core/output/text/console.h"
 
-namespace nilas {
+namespace nilas::commands {
 
 static int list_solvers(bool json) {
   auto list = nlohmann::ordered_json::array();
-  for (const auto& entry : solver_registry()) {
+  for (const auto& entry : contact::solver_registry()) {
     std::string laws;
     auto names = nlohmann::ordered_json::array();
     for (const Law law : entry.laws) {
-      laws += (laws.empty() ? "" : ", ") + std::string(to_string(law));
-      names.push_back(to_string(law));
+      laws += (laws.empty() ? "" : ", ") + std::string(contact::to_string(law));
+      names.push_back(contact::to_string(law));
     }
     list.push_back({{"name", entry.name}, {"laws", names}, {"summary", entry.summary}});
     constexpr std::size_t k_indent = 2;
     if (!json)
-      std::cout << entry.name << "\n  " << wrapped("laws: " + laws, k_indent) << "\n  "
-                << wrapped(entry.summary, k_indent) << "\n";
+      std::cout << entry.name << "\n  " << output::wrapped("laws: " + laws, k_indent) << "\n  "
+                << output::wrapped(entry.summary, k_indent) << "\n";
   }
   if (json) std::cout << list.dump(2) << "\n";
   return exit_done;
@@ -33,4 +33,4 @@ void add_solvers(CLI::App& app, Action& action) {
   command->callback([&action, json] { action = [json] { return list_solvers(*json); }; });
 }
 
-}  // namespace nilas
+}  // namespace nilas::commands

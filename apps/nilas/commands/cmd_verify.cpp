@@ -17,12 +17,12 @@
 #include "core/output/text/console.h"
 #include "core/output/text/phase_progress.h"
 
-namespace nilas {
+namespace nilas::commands {
 
 namespace {
 
 struct VerifyOptions {
-  Selection selection;
+  verify::Selection selection;
   std::string out;
   int threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   bool extremes = false, limitations = false, json = false, html = false, list = false, markdown = false, force = false,
@@ -37,7 +37,7 @@ void write_text(const std::filesystem::path& file, const std::string& text) {
 
 /// Reports every tenth of the work on standard error.
 std::function<void(double)> progress(const VerifyOptions& options) {
-  if (phase_style(options.quiet, options.json) == ConsoleStyle::silent) return {};
+  if (output::phase_style(options.quiet, options.json) == output::ConsoleStyle::silent) return {};
   return [last = -1](double share) mutable {
     constexpr int k_tenths = 10;
     const int tenth = static_cast<int>(share * k_tenths);
@@ -47,57 +47,57 @@ std::function<void(double)> progress(const VerifyOptions& options) {
 }
 
 int run_cases(const VerifyOptions& options) {
-  if (!options.out.empty()) claim_folder(options.out, options.force);
-  const double started = steady_seconds();
-  const std::vector<Row> rows = verify(options.selection, options.threads, progress(options));
-  const bool holds = all_hold(rows);
+  if (!options.out.empty()) output::claim_folder(options.out, options.force);
+  const double started = output::steady_seconds();
+  const std::vector<verify::Row> rows = verify::verify(options.selection, options.threads, progress(options));
+  const bool holds = verify::all_hold(rows);
   if (options.json) {
-    const nlohmann::ordered_json result{{"holds", holds}, {"rows", table_json(rows)}};
+    const nlohmann::ordered_json result{{"holds", holds}, {"rows", verify::table_json(rows)}};
     std::cout << result.dump(2) << "\n";
   } else {
-    if (!options.quiet) std::cout << table_text(rows);
-    std::cout << failures_text(rows);
-    const auto failed = std::count_if(rows.begin(), rows.end(), [](const Row& row) { return !row.holds; });
+    if (!options.quiet) std::cout << verify::table_text(rows);
+    std::cout << verify::failures_text(rows);
+    const auto failed = std::count_if(rows.begin(), rows.end(), [](const verify::Row& row) { return !row.holds; });
     std::cout << fmt::format("{} rows, {} of them fail, in {}\n", rows.size(), failed,
-                             duration_text(steady_seconds() - started));
+                             output::duration_text(output::steady_seconds() - started));
   }
   // The files come last, so that a missing plotter loses no result.
   if (!options.out.empty()) {
-    write_text(std::filesystem::path(options.out) / "verify.csv", table_csv(rows));
-    if (options.html) write_page(options.out, rows);
+    write_text(std::filesystem::path(options.out) / "verify.csv", verify::table_csv(rows));
+    if (options.html) verify::write_page(options.out, rows);
     if (!options.json && !options.quiet) std::cout << "written to " << options.out << "\n";
   }
   return holds ? exit_done : exit_numerics;
 }
 
 int run_map(const VerifyOptions& options) {
-  claim_folder(options.out, options.force);
-  const double started = steady_seconds();
-  const std::vector<Cell> cells = run_extremes(options.selection, options.threads, progress(options));
-  const auto failed = std::count_if(cells.begin(), cells.end(), [](const Cell& cell) {
-    return cell.hold == Hold::fails || cell.hold == Hold::refused;
+  output::claim_folder(options.out, options.force);
+  const double started = output::steady_seconds();
+  const std::vector<verify::Cell> cells = verify::run_extremes(options.selection, options.threads, progress(options));
+  const auto failed = std::count_if(cells.begin(), cells.end(), [](const verify::Cell& cell) {
+    return cell.hold == verify::Hold::fails || cell.hold == verify::Hold::refused;
   });
   if (options.json)
-    std::cout << extremes_json(cells).dump(2) << "\n";
+    std::cout << verify::extremes_json(cells).dump(2) << "\n";
   else if (!options.quiet)
-    std::cout << extremes_text(cells)
+    std::cout << verify::extremes_text(cells)
               << fmt::format("{} runs, {} of them fail, in {}; the map is in {}\n", cells.size(), failed,
-                             duration_text(steady_seconds() - started), options.out);
-  write_extremes(options.out, cells);
+                             output::duration_text(output::steady_seconds() - started), options.out);
+  verify::write_extremes(options.out, cells);
   return failed == 0 ? exit_done : exit_numerics;
 }
 
 int verify_command(const VerifyOptions& options) {
   if (options.list) {
-    std::cout << catalogue_text();
+    std::cout << verify::catalogue_text();
     return exit_done;
   }
   if (options.limitations) {
-    std::cout << limitations_markdown(limitations());
+    std::cout << verify::limitations_markdown(verify::limitations());
     return exit_done;
   }
   if (options.markdown) {
-    std::cout << catalogue_markdown();
+    std::cout << verify::catalogue_markdown();
     return exit_done;
   }
   return options.extremes ? run_map(options) : run_cases(options);
@@ -154,4 +154,4 @@ void add_verify(CLI::App& app, Action& action) {
   });
 }
 
-}  // namespace nilas
+}  // namespace nilas::commands

@@ -3,7 +3,7 @@
 #include <cctype>
 #include <string_view>
 
-namespace nilas {
+namespace nilas::commands {
 
 namespace {
 
@@ -85,4 +85,4 @@ std::string command_reference(const CLI::App& program) {
   return page;
 }
 
-}  // namespace nilas
+}  // namespace nilas::commands

@@ -3,9 +3,9 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
-namespace nilas {
+namespace nilas::commands {
 
 /// The page as Markdown. `program` has all of its commands added.
 std::string command_reference(const CLI::App& program);
 
-}  // namespace nilas
+}  // namespace nilas::commands

@@ -6,7 +6,7 @@
 
 #include "core/base/error.h"
 
-namespace nilas {
+namespace nilas::commands {
 
 /// The work of the chosen subcommand; returns the exit code.
 using Action = std::function<int()>;
@@ -42,4 +42,4 @@ inline CLI::Validator above(double bound) {
           ""};
 }
 
-}  // namespace nilas
+}  // namespace nilas::commands

@@ -4,7 +4,7 @@
 
 #include "core/output/text/console.h"
 
-namespace nilas {
+namespace nilas::commands {
 
 namespace {
 
@@ -18,7 +18,7 @@ std::string entry(const std::string& name, const std::string& description) {
     left += "\n" + std::string(k_name_columns, ' ');
   else
     left.resize(k_name_columns, ' ');
-  return left + wrapped(description, k_name_columns) + "\n";
+  return left + output::wrapped(description, k_name_columns) + "\n";
 }
 
 }  // namespace
@@ -37,8 +37,8 @@ std::string HelpText::make_subcommand(const CLI::App* command) const {
 }
 
 std::string HelpText::make_description(const CLI::App* app) const {
-  const std::string text = wrapped(Formatter::make_description(app), 0);
+  const std::string text = output::wrapped(Formatter::make_description(app), 0);
   return text.empty() ? text : text + "\n";
 }
 
-}  // namespace nilas
+}  // namespace nilas::commands

@@ -3,7 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
-namespace nilas {
+namespace nilas::commands {
 
 /// CLI11's help with descriptions wrapped at the right edge.
 class HelpText : public CLI::Formatter {
@@ -14,4 +14,4 @@ class HelpText : public CLI::Formatter {
   std::string make_description(const CLI::App* app) const override;
 };
 
-}  // namespace nilas
+}  // namespace nilas::commands

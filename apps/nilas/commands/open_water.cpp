@@ -11,31 +11,31 @@
 #include "core/base/log.h"
 #include "core/sim/simulation.h"
 
-namespace nilas {
+namespace nilas::commands {
 
 using nlohmann::literals::operator""_json_pointer;
 
-void OpenWater::demand_towed(const Scene& scene) {
+void OpenWater::demand_towed(const scene::Scene& scene) {
   if (!scene.vessel || !scene.vessel->carriage)
     throw InputError("--open-water: the scene tows no vessel; allowed: scenes with <vessel><carriage>");
 }
 
-OpenWater OpenWater::towed(const Scene& scene, int threads) {
+OpenWater OpenWater::towed(const scene::Scene& scene, int threads) {
   demand_towed(scene);
-  Scene without_ice = scene;
+  scene::Scene without_ice = scene;
   without_ice.ice.reset();
   without_ice.fracture.reset();
   WarningCounts warnings(make_logger("off", ""));
-  Simulation simulation(without_ice, threads, warnings);
-  const VesselChannels channels(simulation.info());
+  sim::Simulation simulation(without_ice, threads, warnings);
+  const output::VesselChannels channels(simulation.info());
   OpenWater water;
   water.source_ = "towed without ice";
   water.run_.emplace(simulation.info());
   water.run_->start(scene.time.start, simulation.initial_ledger());
   std::vector<double> values;
-  const long steps = number_of_steps(scene.time);
+  const long steps = scene::number_of_steps(scene.time);
   for (long k = 0; k < steps && simulation.end_of_course().empty(); ++k) {
-    const StepRecord record = simulation.step();
+    const sim::StepRecord record = simulation.step();
     channels.read(record.vessel.value(), values);
     water.run_->add(record, values);
   }
@@ -61,7 +61,7 @@ OpenWater OpenWater::stored(const std::filesystem::path& run) {
   return water;
 }
 
-std::string OpenWater::deduct_from(IceLoad& load, const MassProperties& vessel) const {
+std::string OpenWater::deduct_from(output::IceLoad& load, const geometry::MassProperties& vessel) const {
   constexpr double k_same_vessel = 1e-6;
   const auto differ = [](double a, double b) { return std::abs(a - b) > k_same_vessel * std::abs(b); };
   if (!run_ && (differ(vessel_.mass, vessel.mass) || differ(vessel_.pitch_inertia, vessel.inertia(1, 1))))
@@ -79,4 +79,4 @@ std::string OpenWater::deduct_from(IceLoad& load, const MassProperties& vessel) 
   return "";
 }
 
-}  // namespace nilas
+}  // namespace nilas::commands

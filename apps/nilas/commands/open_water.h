@@ -7,23 +7,23 @@
 #include "core/output/loads/run_statistics.h"
 #include "core/scene/scene.h"
 
-namespace nilas {
+namespace nilas::commands {
 
 class OpenWater {
  public:
   /// Throws InputError for a scene that tows no vessel.
-  static void demand_towed(const Scene& scene);
+  static void demand_towed(const scene::Scene& scene);
   /// Tows the scene's vessel without its ice, from start to end. Throws as demand_towed() and Simulation do.
-  static OpenWater towed(const Scene& scene, int threads);
+  static OpenWater towed(const scene::Scene& scene, int threads);
   /// Reads the force from the folder of a run without ice. Throws FileError, and InputError if it is no such run.
   static OpenWater stored(const std::filesystem::path& run);
 
   /// Fills the open-water force of a tow. Returns an empty text, or why nothing is deducted: the carriage does not
   /// move, or the stored run was towed at another speed or with another vessel.
-  std::string deduct_from(IceLoad& load, const MassProperties& vessel) const;
+  std::string deduct_from(output::IceLoad& load, const geometry::MassProperties& vessel) const;
 
  private:
-  std::optional<RunStatistics> run_;
+  std::optional<output::RunStatistics> run_;
   double mean_ = 0, speed_ = 0;  ///< mean force [N] and speed [m/s] of a stored run
   struct {
     double mass = 0, pitch_inertia = 0;  ///< [kg], [kg m^2]
@@ -31,4 +31,4 @@ class OpenWater {
   std::string source_;
 };
 
-}  // namespace nilas
+}  // namespace nilas::commands

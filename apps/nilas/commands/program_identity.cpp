@@ -2,7 +2,7 @@
 
 #include "core/scene/read/input_files.h"
 
-namespace nilas {
+namespace nilas::commands {
 
 std::map<std::string, std::string> program_versions() {
   return {{"nilas", NILAS_VERSION},
@@ -15,12 +15,12 @@ std::map<std::string, std::string> program_versions() {
           {"compiler", NILAS_COMPILER}};
 }
 
-CheckpointOrigin checkpoint_origin(const std::string& scene_fingerprint) {
+sim::CheckpointOrigin checkpoint_origin(const std::string& scene_fingerprint) {
   std::string program = "nilas " NILAS_VERSION " (" NILAS_BUILD;
   for (const auto& [name, version] : program_versions())
     if (name != "nilas") program += ", " + name + " " + version;
   // this is the file that runs, even if another file has taken its name since
-  return {program + ")", file_sha256("/proc/self/exe"), scene_fingerprint};
+  return {program + ")", scene::file_sha256("/proc/self/exe"), scene_fingerprint};
 }
 
-}  // namespace nilas
+}  // namespace nilas::commands

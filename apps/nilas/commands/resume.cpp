@@ -9,7 +9,7 @@
 #include "core/base/file_bytes.h"
 #include "core/output/run/run_folder.h"
 
-namespace nilas {
+namespace nilas::commands {
 
 namespace fs = std::filesystem;
 
@@ -32,7 +32,8 @@ static long steps_of(const State& checkpoint) {
 StoppedRun find_stopped_run(const fs::path& folder, const SceneFlags& flags) {
   std::error_code error;
   if (!fs::is_directory(folder, error)) throw FileError(folder.string() + ": it is no run folder");
-  const fs::path scene_file = RunFolder::scene_file(folder), checkpoint_file = RunFolder::checkpoint_file(folder);
+  const fs::path scene_file = output::RunFolder::scene_file(folder),
+                 checkpoint_file = output::RunFolder::checkpoint_file(folder);
   if (!fs::exists(scene_file, error))
     throw FileError(folder.string() +
                     ": it is no run folder because it has no scene.xml. A run that stopped before its first step is "
@@ -44,17 +45,17 @@ StoppedRun find_stopped_run(const fs::path& folder, const SceneFlags& flags) {
   allowed.statistics = flags.statistics;
   allowed.checkpoint_every = flags.checkpoint_every;
   found.scene = read_flagged_scene(allowed);
-  const long steps = number_of_steps(found.scene.time);
-  found.summary = summary_of_done_run(RunFolder::summary_file(folder), steps);
+  const long steps = scene::number_of_steps(found.scene.time);
+  found.summary = summary_of_done_run(output::RunFolder::summary_file(folder), steps);
   if (!found.summary.empty()) return found;
   found.lock.emplace(folder);
   if (!fs::exists(checkpoint_file, error)) {
-    if (read_scene(scene_file).output.checkpoint_every > 0) return found;
+    if (scene::read_scene(scene_file).output.checkpoint_every > 0) return found;
     throw FileError(checkpoint_file.string() +
                     ": not found; the run was not asked for checkpoints (--checkpoint-every)");
   }
   found.origin = checkpoint_origin(found.scene.fingerprint);
-  found.checkpoint = read_checkpoint(checkpoint_file, *found.origin);
+  found.checkpoint = sim::read_checkpoint(checkpoint_file, *found.origin);
   if (const long done = steps_of(*found.checkpoint); done > steps)
     throw InputError(
         fmt::format("--until: found {:g} s; the run has reached {:g} s already, and only a later time is allowed",
@@ -62,4 +63,4 @@ StoppedRun find_stopped_run(const fs::path& folder, const SceneFlags& flags) {
   return found;
 }
 
-}  // namespace nilas
+}  // namespace nilas::commands

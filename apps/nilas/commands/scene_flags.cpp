@@ -6,7 +6,7 @@
 
 #include "core/base/error.h"
 
-namespace nilas {
+namespace nilas::commands {
 
 void add_value_flags(CLI::App& command, SceneFlags& flags) {
   command.add_option("--seed", flags.seed, "Uses this random seed, a whole number, instead of the scene's.");
@@ -45,9 +45,9 @@ static std::string window_words(const std::string& text) {
   return text.substr(0, colon) + " " + text.substr(colon + 1);
 }
 
-Scene read_flagged_scene(const SceneFlags& flags) {
-  Overrides overrides;
-  for (const auto& text : flags.set) overrides.push_back(split_override(text));
+scene::Scene read_flagged_scene(const SceneFlags& flags) {
+  scene::Overrides overrides;
+  for (const auto& text : flags.set) overrides.push_back(scene::split_override(text));
   if (flags.until) overrides.emplace_back("time/@end", fmt::format("{}", *flags.until));
   if (flags.statistics) overrides.emplace_back("output/@statistics", window_words(*flags.statistics));
   if (flags.dt) overrides.emplace_back("time/@step", fmt::format("{}", *flags.dt));
@@ -56,7 +56,7 @@ Scene read_flagged_scene(const SceneFlags& flags) {
   if (flags.checkpoint_every)
     overrides.emplace_back("output/@checkpoint_every", fmt::format("{}", *flags.checkpoint_every));
   if (flags.seed) overrides.emplace_back("seed/@value", fmt::format("{}", *flags.seed));
-  return read_scene(flags.file, overrides);
+  return scene::read_scene(flags.file, overrides);
 }
 
-}  // namespace nilas
+}  // namespace nilas::commands

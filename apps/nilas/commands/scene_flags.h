@@ -8,7 +8,7 @@
 #include "core/scene/read/read_scene.h"
 #include "core/scene/time_steps.h"
 
-namespace nilas {
+namespace nilas::commands {
 
 struct SceneFlags {
   std::string file;
@@ -23,6 +23,6 @@ CLI::Option* add_scene_flags(CLI::App& command, SceneFlags& flags);
 /// Adds --seed and --set alone, for a command that simulates nothing.
 void add_value_flags(CLI::App& command, SceneFlags& flags);
 /// Reads the scene with the overrides applied. Throws InputError for a --set that is not PATH=VALUE.
-Scene read_flagged_scene(const SceneFlags& flags);
+scene::Scene read_flagged_scene(const SceneFlags& flags);
 
-}  // namespace nilas
+}  // namespace nilas::commands

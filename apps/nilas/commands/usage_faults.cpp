@@ -4,7 +4,7 @@
 
 #include "core/base/error.h"
 
-namespace nilas {
+namespace nilas::commands {
 
 namespace {
 
@@ -82,4 +82,4 @@ std::string unknown_word(const CLI::App& app) {
   return title + " does not expect '" + left.front() + "' here. `" + title + " --help` says what it takes.";
 }
 
-}  // namespace nilas
+}  // namespace nilas::commands

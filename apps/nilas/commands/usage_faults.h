@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace nilas {
+namespace nilas::commands {
 
 /// The words with `--set A=1 B=2` written as `--set A=1 --set B=2`. Words after --set and its value belong to it as
 /// long as they contain a '=', so that it does not take the scene. Words after `--` stay as they are.
@@ -17,4 +17,4 @@ std::string unknown_command(const CLI::App& app, const std::vector<std::string>&
 /// all. Call it after `app` has parsed or thrown.
 std::string unknown_word(const CLI::App& app);
 
-}  // namespace nilas
+}  // namespace nilas::commands

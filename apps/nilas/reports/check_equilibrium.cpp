@@ -7,9 +7,9 @@
 #include "core/base/error.h"
 #include "hydro/equilibrium.h"
 
-namespace nilas {
+namespace nilas::commands {
 
-static const char* held_by(const VesselScene& vessel) {
+static const char* held_by(const scene::VesselScene& vessel) {
   if (vessel.fixed) return "fixed";
   return vessel.carriage ? "carriage" : "none";
 }
@@ -22,7 +22,8 @@ static std::string towards(double angle, const char* positive, const char* negat
   return fmt::format("{:.6g} deg {}", std::abs(degrees), degrees > 0 ? positive : negative);
 }
 
-static std::string describe(const FloatingEquilibrium& found, const Water& water, const VesselScene& vessel) {
+static std::string describe(const hydro::FloatingEquilibrium& found, const hydro::Water& water,
+                            const scene::VesselScene& vessel) {
   std::string text = fmt::format(
       "  draught {:.6g} m at the deepest point, trim {}, heel {}\n"
       "  GM transverse {:.6g} m, longitudinal {:.6g} m{}\n"
@@ -42,9 +43,9 @@ static std::string describe(const FloatingEquilibrium& found, const Water& water
   return text;
 }
 
-std::optional<EquilibriumReport> vessel_equilibrium(const Scene& scene, const WorldParts& parts) {
+std::optional<EquilibriumReport> vessel_equilibrium(const scene::Scene& scene, const sim::WorldParts& parts) {
   if (!scene.vessel || !parts.water || !scene.hydro || !scene.hydro->buoyancy) return std::nullopt;
-  const VesselScene& vessel = *scene.vessel;
+  const scene::VesselScene& vessel = *scene.vessel;
   if (!vessel.parts.empty() || !vessel.rods.empty())
     return std::nullopt;  // the hull alone does not float as the whole does
   const auto b = static_cast<std::size_t>(parts.vessel_index);
@@ -52,8 +53,8 @@ std::optional<EquilibriumReport> vessel_equilibrium(const Scene& scene, const Wo
   report.text = fmt::format("\nfloating equilibrium of '{}':\n", vessel.name);
   report.json = {{"vessel", vessel.name}, {"held", held_by(vessel)}};
   try {
-    const FloatingEquilibrium found =
-        floating_equilibrium(*parts.bodies.shape[b], parts.bodies.mass[b], parts.bodies.q_GB[b], *parts.water);
+    const hydro::FloatingEquilibrium found =
+        hydro::floating_equilibrium(*parts.bodies.shape[b], parts.bodies.mass[b], parts.bodies.q_GB[b], *parts.water);
     report.text += describe(found, *parts.water, vessel);
     report.json.update({{"floats", true},
                         {"stable", found.stable()},
@@ -70,4 +71,4 @@ std::optional<EquilibriumReport> vessel_equilibrium(const Scene& scene, const Wo
   return report;
 }
 
-}  // namespace nilas
+}  // namespace nilas::commands

@@ -6,7 +6,7 @@
 
 #include "core/sim/world/world.h"
 
-namespace nilas {
+namespace nilas::commands {
 
 struct EquilibriumReport {
   std::string text;             ///< text for the console; each line has its line end
@@ -14,6 +14,6 @@ struct EquilibriumReport {
 };
 
 /// Empty for a scene without a vessel or without buoyancy. A vessel that cannot float is reported with the reason.
-std::optional<EquilibriumReport> vessel_equilibrium(const Scene& scene, const WorldParts& parts);
+std::optional<EquilibriumReport> vessel_equilibrium(const scene::Scene& scene, const sim::WorldParts& parts);
 
-}  // namespace nilas
+}  // namespace nilas::commands

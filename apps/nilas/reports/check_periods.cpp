@@ -4,9 +4,9 @@
 
 #include "core/sim/build/natural_periods.h"
 
-namespace nilas {
+namespace nilas::commands {
 
-PeriodsReport natural_periods_report(const Scene& scene, const WorldParts& parts) {
+PeriodsReport natural_periods_report(const scene::Scene& scene, const sim::WorldParts& parts) {
   PeriodsReport report;
   report.json = nlohmann::ordered_json::array();
   const auto add = [&](const std::string& motion, const std::string& held_by, double period, bool damped = false) {
@@ -15,12 +15,12 @@ PeriodsReport natural_periods_report(const Scene& scene, const WorldParts& parts
     report.json.push_back(
         {{"motion", motion}, {"held_by", held_by}, {"period_s", period}, {"steps", period / scene.time.step}});
   };
-  for (const NaturalPeriod& mode : natural_periods(scene, parts))
+  for (const sim::NaturalPeriod& mode : sim::natural_periods(scene, parts))
     add(mode.motion, mode.on_cells ? "the load cells" : "the water", mode.period,
-        mode.on_cells && mode.period < k_least_steps_on_cells * scene.time.step);
-  if (const double period = floe_heave_period(scene, parts); period > 0) add("floe heave", "the water", period);
+        mode.on_cells && mode.period < sim::k_least_steps_on_cells * scene.time.step);
+  if (const double period = sim::floe_heave_period(scene, parts); period > 0) add("floe heave", "the water", period);
   if (!report.text.empty()) report.text = "\nnatural periods, without added mass:\n" + report.text;
   return report;
 }
 
-}  // namespace nilas
+}  // namespace nilas::commands

@@ -5,13 +5,13 @@
 
 #include "core/sim/world/world.h"
 
-namespace nilas {
+namespace nilas::commands {
 
 struct PeriodsReport {
   std::string text;             ///< text for the console; each line has its line end; empty without periods
   nlohmann::ordered_json json;  ///< a list with the keys motion, held_by, period_s and steps
 };
 
-PeriodsReport natural_periods_report(const Scene& scene, const WorldParts& parts);
+PeriodsReport natural_periods_report(const scene::Scene& scene, const sim::WorldParts& parts);
 
-}  // namespace nilas
+}  // namespace nilas::commands

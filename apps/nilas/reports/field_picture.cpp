@@ -8,7 +8,7 @@
 
 #include "core/output/text/plot.h"
 
-namespace nilas {
+namespace nilas::commands {
 
 namespace {
 
@@ -22,14 +22,14 @@ struct Box {
   }
 };
 
-std::vector<Vec2> region_outline(const FieldScene& field) {
-  const RegionScene& r = *field.region();
+std::vector<Vec2> region_outline(const scene::FieldScene& field) {
+  const scene::RegionScene& r = *field.region();
   return {{r[0], r[1]}, {r[2], r[1]}, {r[2], r[3]}, {r[0], r[3]}};
 }
 
-bool has_region(const PlannedIce& ice) { return ice.field && ice.field->region() != nullptr; }
+bool has_region(const sim::PlannedIce& ice) { return ice.field && ice.field->region() != nullptr; }
 
-Box box_of(const std::vector<PlannedIce>& ice) {
+Box box_of(const std::vector<sim::PlannedIce>& ice) {
   Box box;
   for (const auto& group : ice) {
     for (const auto& one : group.floes)
@@ -57,7 +57,7 @@ void add_line(std::string& data, const std::vector<Vec2>& points) {
 }
 
 /// The outlines as data blocks for gnuplot.
-std::string data_of(const std::vector<PlannedIce>& ice) {
+std::string data_of(const std::vector<sim::PlannedIce>& ice) {
   std::string floes, weak, hull, keep_out, regions;
   for (const auto& group : ice) {
     for (const auto& one : group.floes) add_ring(floes, one.floe.outline, one.floe.thickness);
@@ -74,7 +74,7 @@ std::string data_of(const std::vector<PlannedIce>& ice) {
          block("regions", regions);
 }
 
-bool thickness_varies(const std::vector<PlannedIce>& ice) {
+bool thickness_varies(const std::vector<sim::PlannedIce>& ice) {
   double least = std::numeric_limits<double>::infinity(), most = 0;
   for (const auto& group : ice)
     for (const auto& one : group.floes) {
@@ -84,7 +84,7 @@ bool thickness_varies(const std::vector<PlannedIce>& ice) {
   return most > least;
 }
 
-std::string map_script(const std::string& title, const std::vector<PlannedIce>& ice) {
+std::string map_script(const std::string& title, const std::vector<sim::PlannedIce>& ice) {
   const Box box = box_of(ice);
   const bool coloured = thickness_varies(ice);
   std::string script = fmt::format(
@@ -106,7 +106,7 @@ std::string map_script(const std::string& title, const std::vector<PlannedIce>& 
 
 /// The edges of the bars of a histogram [m].
 std::vector<double> bins_of(const QuantityReport& sizes) {
-  const DistributionSummary obtained = summary_of(sizes.floes);
+  const field::DistributionSummary obtained = field::summary_of(sizes.floes);
   double low = obtained.min, high = obtained.max;
   if (sizes.asked) {
     low = std::min(low, sizes.asked(0));
@@ -133,8 +133,9 @@ std::string histogram_script(const FieldReport& report, double bottom, double to
   for (std::size_t k = 0; k + 1 < edges.size(); ++k) {
     const auto count = std::count_if(sizes.floes.begin(), sizes.floes.end(),
                                      [&](double x) { return x > edges[k] && x <= edges[k + 1]; });
-    const double asked =
-        sizes.asked ? n * (probability_up_to(sizes.asked, edges[k + 1]) - probability_up_to(sizes.asked, edges[k])) : 0;
+    const double asked = sizes.asked ? n * (field::probability_up_to(sizes.asked, edges[k + 1]) -
+                                            field::probability_up_to(sizes.asked, edges[k]))
+                                     : 0;
     lines += fmt::format("{:.9g} {:.9g} {} {:.9g}\n", 0.5 * (edges[k] + edges[k + 1]), edges[k + 1] - edges[k], count,
                          asked);
   }
@@ -152,7 +153,7 @@ std::string histogram_script(const FieldReport& report, double bottom, double to
 
 }  // namespace
 
-int picture_height(const std::vector<PlannedIce>& ice, const std::vector<FieldReport>& reports) {
+int picture_height(const std::vector<sim::PlannedIce>& ice, const std::vector<FieldReport>& reports) {
   constexpr int k_least = 560, k_most = 1700, k_per_histogram = 300;
   constexpr double k_map_width = (k_map_share - 0.17) * k_picture_width, k_used = 0.8;
   const Box box = box_of(ice);
@@ -161,7 +162,7 @@ int picture_height(const std::vector<PlannedIce>& ice, const std::vector<FieldRe
   return std::max({k_least, for_map, k_per_histogram * static_cast<int>(reports.size())});
 }
 
-void draw_field(const std::filesystem::path& file, const std::string& title, const std::vector<PlannedIce>& ice,
+void draw_field(const std::filesystem::path& file, const std::string& title, const std::vector<sim::PlannedIce>& ice,
                 const std::vector<FieldReport>& reports) {
   std::string name = file.filename().string();
   for (auto quote = name.find('\''); quote != std::string::npos; quote = name.find('\'', quote + 2))
@@ -177,7 +178,7 @@ void draw_field(const std::filesystem::path& file, const std::string& title, con
     script += histogram_script(reports[k], bottom + 0.2 * height, top - 0.1 * height);
   }
   script += "unset multiplot\n";
-  plot(file.parent_path().empty() ? std::filesystem::path(".") : file.parent_path(), script);
+  output::plot(file.parent_path().empty() ? std::filesystem::path(".") : file.parent_path(), script);
 }
 
-}  // namespace nilas
+}  // namespace nilas::commands

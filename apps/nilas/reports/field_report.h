@@ -8,13 +8,13 @@
 #include "core/field/sizes/distribution_statistics.h"
 #include "core/sim/world/world.h"
 
-namespace nilas {
+namespace nilas::commands {
 
 /// One quantity over the floes of a field.
 struct QuantityReport {
-  std::string column;     ///< name with its unit, such as "size_m"
-  std::string asked_for;  ///< the request in words; empty if there is none
-  Quantiles asked;        ///< the quantiles asked for; empty if there are none
+  std::string column;      ///< name with its unit, such as "size_m"
+  std::string asked_for;   ///< the request in words; empty if there is none
+  field::Quantiles asked;  ///< the quantiles asked for; empty if there are none
   std::vector<double> floes;
   std::vector<double> points;  ///< values at the floes' centres, if it varies within floes; `asked` is then of these
 
@@ -44,10 +44,10 @@ struct FieldReport {
 };
 
 /// The reports: one per <field> that has floes, and one for all single floes.
-std::vector<FieldReport> field_reports(const Scene& scene, const WorldParts& parts);
+std::vector<FieldReport> field_reports(const scene::Scene& scene, const sim::WorldParts& parts);
 
 nlohmann::ordered_json report_json(const FieldReport& report);
 /// A table of at most 80 columns.
 std::string report_text(const FieldReport& report);
 
-}  // namespace nilas
+}  // namespace nilas::commands

@@ -16,7 +16,7 @@
 #include "core/output/text/fill_template.h"
 #include "core/output/text/plot.h"
 
-namespace nilas {
+namespace nilas::commands {
 
 namespace {
 
@@ -67,7 +67,7 @@ void write_face(std::ofstream& out, const std::array<Vec3, 3>& p, int rgb, doubl
 }
 
 /// Writes the edges that do not join two triangles: around holes, and where several sheets meet.
-void write_open_edges(const fs::path& file, const TriangleMesh& mesh) {
+void write_open_edges(const fs::path& file, const geometry::TriangleMesh& mesh) {
   std::map<std::pair<int, int>, int> sides;
   for (const auto& t : mesh.triangles)
     for (std::size_t k = 0; k < 3; ++k) ++sides[std::minmax(t[k], t[(k + 1) % 3])];
@@ -97,7 +97,7 @@ struct HullView {
 
 /// Writes the faces of a closed surface that look at the eye. Others would show through at the edges, because gnuplot
 /// sorts whole triangles by depth. All faces of an open surface (`two_sided`) are written.
-void write_faces(std::ofstream& out, const TriangleMesh& mesh, const Colour& colour, const HullView& view,
+void write_faces(std::ofstream& out, const geometry::TriangleMesh& mesh, const Colour& colour, const HullView& view,
                  double longest, bool two_sided = false) {
   const Vec3 eye = view.direction();
   const double light = eye.z() > 0 ? 1 : -1;
@@ -111,9 +111,9 @@ void write_faces(std::ofstream& out, const TriangleMesh& mesh, const Colour& col
 
 /// The mesh with the vertices in each cube of a grid merged, and the triangles that this leaves. `cell`: side of the
 /// cubes [m].
-TriangleMesh coarsened(const TriangleMesh& mesh, double cell) {
+geometry::TriangleMesh coarsened(const geometry::TriangleMesh& mesh, double cell) {
   std::map<std::array<double, 3>, int> first;
-  TriangleMesh coarse{mesh.vertices, {}};
+  geometry::TriangleMesh coarse{mesh.vertices, {}};
   std::vector<int> stand_in(mesh.vertices.size());
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
     const Vec3 cube = (mesh.vertices[v] / cell).array().floor();
@@ -128,11 +128,12 @@ TriangleMesh coarsened(const TriangleMesh& mesh, double cell) {
 
 /// The mesh, coarsened until gnuplot can draw it in seconds and within a gigabyte. Triangles below a pixel show
 /// nothing.
-TriangleMesh drawable(const TriangleMesh& mesh) {
+geometry::TriangleMesh drawable(const geometry::TriangleMesh& mesh) {
   constexpr std::size_t k_most = 50000;
   constexpr double k_finest = 1.0 / 512, k_coarser = 1.5;  // of the longest side
-  TriangleMesh drawn = mesh;
-  for (double cell = k_finest * box_of(mesh).sizes().maxCoeff(); drawn.triangles.size() > k_most; cell *= k_coarser)
+  geometry::TriangleMesh drawn = mesh;
+  for (double cell = k_finest * geometry::box_of(mesh).sizes().maxCoeff(); drawn.triangles.size() > k_most;
+       cell *= k_coarser)
     drawn = coarsened(mesh, cell);
   return drawn;
 }
@@ -154,14 +155,14 @@ class DataFiles {
 };
 
 /// The longest edge that is drawn whole [m].
-double longest_drawn(const TriangleMesh& mesh) {
+double longest_drawn(const geometry::TriangleMesh& mesh) {
   constexpr double k_share = 0.06;
-  return k_share * box_of(mesh).sizes().maxCoeff();
+  return k_share * geometry::box_of(mesh).sizes().maxCoeff();
 }
 
-void write_waterline(const fs::path& file, const TriangleMesh& mesh, double level) {
+void write_waterline(const fs::path& file, const geometry::TriangleMesh& mesh, double level) {
   std::ofstream out(file);
-  for (const Segment& line : waterline(mesh, level)) {
+  for (const report::Segment& line : report::waterline(mesh, level)) {
     for (const Vec3& p : line) out << fmt::format("{:.6g} {:.6g} {:.6g}\n", p.x(), p.y(), p.z());
     out << "\n\n";
   }
@@ -209,9 +210,9 @@ double tics(double side) {
 }
 
 /// The script of a picture. `bow`: the place of the bow of a prepared hull; null for a faulty mesh.
-std::string script(const std::string& picture, const TriangleMesh& mesh, const std::vector<HullView>& views,
+std::string script(const std::string& picture, const geometry::TriangleMesh& mesh, const std::vector<HullView>& views,
                    const Json& bow) {
-  Eigen::AlignedBox3d box = box_of(mesh);
+  Eigen::AlignedBox3d box = geometry::box_of(mesh);
   constexpr double k_spare = 1e-3;      // rounded coordinates stay within
   constexpr double k_thinnest = 0.025;  // of the longest side: gnuplot refuses a range without extent
   const Vec3 spare =
@@ -230,19 +231,19 @@ std::string script(const std::string& picture, const TriangleMesh& mesh, const s
                   {"z_tics", tics(box.sizes().z())},
                   {"bow", bow},
                   {"panels", panels_of(views, box)}};
-  return fill_template(nilas_template("hull.gnuplot"), data, Escape::gnuplot);
+  return output::fill_template(nilas_template("hull.gnuplot"), data, output::Escape::gnuplot);
 }
 
 }  // namespace
 
-void draw_hull(const Hull& hull, double level, const fs::path& folder) {
+void draw_hull(const hull::Hull& hull, double level, const fs::path& folder) {
   const double longest = longest_drawn(hull.fluid);
   const DataFiles removed(folder, {".above.dat", ".below.dat", ".parts.dat", ".water.dat"});
-  const TriangleMesh drawn = drawable(hull.fluid);
+  const geometry::TriangleMesh drawn = drawable(hull.fluid);
   const std::string parts_title =
       fmt::format("{} convex part{}, from below", hull.parts.size(), hull.parts.size() == 1 ? "" : "s");
-  const std::string water_title =
-      fmt::format("mesh from above; waterline at a draught of {:.4g} m in blue", level - box_of(hull.fluid).min().z());
+  const std::string water_title = fmt::format("mesh from above; waterline at a draught of {:.4g} m in blue",
+                                              level - geometry::box_of(hull.fluid).min().z());
   const std::vector<HullView> views{{water_title.c_str(), ".above.dat", 60, 30},
                                     {"mesh from below", ".below.dat", 115, 30},
                                     {parts_title.c_str(), ".parts.dat", 115, 30}};
@@ -255,10 +256,10 @@ void draw_hull(const Hull& hull, double level, const fs::path& folder) {
     if (!above || !below || !parts) throw FileError((folder / "hull.png").string() + ": cannot be written");
   }
   write_waterline(folder / ".water.dat", hull.fluid, level);
-  plot(folder, script("hull.png", hull.fluid, views, bow_of_box(box_of(hull.fluid))));
+  output::plot(folder, script("hull.png", hull.fluid, views, bow_of_box(geometry::box_of(hull.fluid))));
 }
 
-void draw_faults(const MendedMesh& mesh, const fs::path& folder) {
+void draw_faults(const mesh::MendedMesh& mesh, const fs::path& folder) {
   const double longest = longest_drawn(mesh.mesh);
   const DataFiles removed(folder, {".faces.dat", ".marks.dat", ".edges.dat"});
   {
@@ -269,11 +270,11 @@ void draw_faults(const MendedMesh& mesh, const fs::path& folder) {
     if (!faces || !marks) throw FileError((folder / "faults.png").string() + ": cannot be written");
   }
   write_open_edges(folder / ".edges.dat", mesh.mesh);
-  plot(folder, script("faults.png", mesh.mesh,
-                      {{"from above; faults in red", ".faces.dat", 60, 30},
-                       {"from below", ".faces.dat", 115, 30},
-                       {"from the other side", ".faces.dat", 60, 210}},
-                      nullptr));
+  output::plot(folder, script("faults.png", mesh.mesh,
+                              {{"from above; faults in red", ".faces.dat", 60, 30},
+                               {"from below", ".faces.dat", 115, 30},
+                               {"from the other side", ".faces.dat", 60, 210}},
+                              nullptr));
 }
 
-}  // namespace nilas
+}  // namespace nilas::commands

@@ -12,15 +12,15 @@
 #include "core/output/text/console.h"
 #include "hydro/wetted.h"
 
-namespace nilas {
+namespace nilas::commands {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-double wetted_area(const TriangleMesh& mesh, double level) {
-  std::vector<WettedFace> faces;
-  wetted_faces(mesh, Mat3::Identity(), Vec3::Zero(), level, faces);
+double wetted_area(const geometry::TriangleMesh& mesh, double level) {
+  std::vector<hydro::WettedFace> faces;
+  hydro::wetted_faces(mesh, Mat3::Identity(), Vec3::Zero(), level, faces);
   double area = 0;
   for (const auto& face : faces) area += face.area;
   return area;
@@ -28,7 +28,7 @@ double wetted_area(const TriangleMesh& mesh, double level) {
 
 Json point(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
 
-Json mended_json(const std::vector<MeshNote>& notes) {
+Json mended_json(const std::vector<mesh::MeshNote>& notes) {
   Json list = Json::array();
   for (const auto& note : notes) {
     Json places = Json::array();
@@ -38,28 +38,28 @@ Json mended_json(const std::vector<MeshNote>& notes) {
   return list;
 }
 
-Json table_json(const std::vector<PartCount>& table) {
+Json table_json(const std::vector<mesh::PartCount>& table) {
   Json rows = Json::array();
   for (const auto& row : table) rows.push_back({{"parts", row.parts}, {"deviation_m", row.deviation}});
   return rows;
 }
 
 /// The displaced volume divided by the volume of the box around the part of the hull below the water.
-double block_coefficient(const TriangleMesh& mesh, double volume, double level) {
+double block_coefficient(const geometry::TriangleMesh& mesh, double volume, double level) {
   Eigen::AlignedBox3d wet;
   for (const auto& t : mesh.triangles)
     for (std::size_t k = 0; k < 3; ++k) {
       const Vec3 &a = mesh.vertices[t[k]], &b = mesh.vertices[t[(k + 1) % 3]];
       if (a.z() <= level) wet.extend(a);
-      if (const auto cut = edge_cut(a, b, level)) wet.extend(*cut);
+      if (const auto cut = geometry::edge_cut(a, b, level)) wet.extend(*cut);
     }
   return volume / wet.volume();
 }
 
-void add_hydrostatics(Json& report, const TriangleMesh& mesh, double draught, double centre_z) {
-  const double keel = box_of(mesh).min().z(), level = waterline_level(mesh, draught);
-  const Submerged wet = submerged_mesh(mesh, Mat3::Identity(), Vec3::Zero(), level);
-  const Waterplane plane = waterplane(mesh, Mat3::Identity(), Vec3::Zero(), level);
+void add_hydrostatics(Json& report, const geometry::TriangleMesh& mesh, double draught, double centre_z) {
+  const double keel = geometry::box_of(mesh).min().z(), level = waterline_level(mesh, draught);
+  const hydro::Submerged wet = hydro::submerged_mesh(mesh, Mat3::Identity(), Vec3::Zero(), level);
+  const hydro::Waterplane plane = hydro::waterplane(mesh, Mat3::Identity(), Vec3::Zero(), level);
   const double kb = wet.centre.z() - keel, bm = plane.yy / wet.volume;
   report["draught_m"] = draught;
   report["displaced_m3"] = wet.volume;
@@ -73,15 +73,16 @@ void add_hydrostatics(Json& report, const TriangleMesh& mesh, double draught, do
 
 /// The axis that points to the bow, as far as the shape shows it; null if the ends are too alike.
 Json bow_of(const PreparedHull& prepared) {
-  const TriangleMesh& mesh = prepared.hull.fluid;
+  const geometry::TriangleMesh& mesh = prepared.hull.fluid;
   if (!prepared.use.generated)
-    if (const MeshAxis forward = probable_attitude(mesh, false).axes.forward; forward != MeshAxes{}.forward)
+    if (const hull::MeshAxis forward = hull::probable_attitude(mesh, false).axes.forward;
+        forward != hull::MeshAxes{}.forward)
       return forward.name();
-  return bow_direction(measure_hull(mesh)) > 0 ? Json("x") : Json();
+  return hull::bow_direction(hull::measure_hull(mesh)) > 0 ? Json("x") : Json();
 }
 
 /// Whether every vertex has a mirror image in y = 0 among the vertices, within the tolerance along each axis [m].
-bool mirrored_points(const TriangleMesh& mesh, double tolerance) {
+bool mirrored_points(const geometry::TriangleMesh& mesh, double tolerance) {
   std::vector<Vec3> points = mesh.vertices;
   std::sort(points.begin(), points.end(), [](const Vec3& a, const Vec3& b) { return a.x() < b.x(); });
   return std::all_of(points.begin(), points.end(), [&](const Vec3& p) {
@@ -109,11 +110,12 @@ std::string summary(const Json& report) {
   const std::string ends = bow.is_null() ? "The ends are too alike to distinguish the bow from the stern."
                            : bow == "x"  ? fmt::format("The bow is at x = {:.4g} m.", report["high_m"][0].get<double>())
                                          : fmt::format("The bow seems to point along {}.", bow.get<std::string>());
-  return wrapped(fmt::format("The hull is {:.4g} m long, {:.4g} m wide and {:.4g} m deep. At a draught of {:.4g} m it "
-                             "displaces {:.4g} m^3 with a block coefficient of {:.3f}. {}{}",
-                             number("length_m"), number("beam_m"), number("depth_m"), number("draught_m"),
-                             number("displaced_m3"), number("block_coefficient"), ends, symmetry_text(report)),
-                 0) +
+  return output::wrapped(
+             fmt::format("The hull is {:.4g} m long, {:.4g} m wide and {:.4g} m deep. At a draught of {:.4g} m it "
+                         "displaces {:.4g} m^3 with a block coefficient of {:.3f}. {}{}",
+                         number("length_m"), number("beam_m"), number("depth_m"), number("draught_m"),
+                         number("displaced_m3"), number("block_coefficient"), ends, symmetry_text(report)),
+             0) +
          "\n";
 }
 
@@ -162,8 +164,8 @@ std::string missed_tolerance(const PreparedHull& prepared, std::size_t most) {
                             parts));
 }
 
-double waterline_level(const TriangleMesh& mesh, double draught) {
-  const auto box = box_of(mesh);
+double waterline_level(const geometry::TriangleMesh& mesh, double draught) {
+  const auto box = geometry::box_of(mesh);
   const double depth = box.max().z() - box.min().z();
   constexpr double k_least = 1e-3;  // of the height
   if (!(draught >= k_least * depth && draught < depth))
@@ -175,11 +177,11 @@ double waterline_level(const TriangleMesh& mesh, double draught) {
 }
 
 Json hull_report(const PreparedHull& prepared) {
-  const TriangleMesh& mesh = prepared.hull.fluid;
-  const MassProperties unit = mesh_properties(mesh, 1.0);
+  const geometry::TriangleMesh& mesh = prepared.hull.fluid;
+  const geometry::MassProperties unit = geometry::mesh_properties(mesh, 1.0);
   const Mat3& i = unit.inertia;
-  const auto box = box_of(mesh);
-  const double off = asymmetry(mesh), symmetric_within = k_symmetric_share * box.sizes().maxCoeff();
+  const auto box = geometry::box_of(mesh);
+  const double off = mesh::asymmetry(mesh), symmetric_within = mesh::k_symmetric_share * box.sizes().maxCoeff();
   const Vec3 size = box.sizes();
   Json report{{"length_m", size.x()},
               {"beam_m", size.y()},
@@ -205,11 +207,11 @@ Json hull_report(const PreparedHull& prepared) {
   report["asymmetry_m"] = off;
   report["symmetry_tolerance_m"] = symmetric_within;
   report["mirrored_points"] = mirrored_points(mesh, symmetric_within);
-  report["closed"] = find_defects(mesh).closed();
+  report["closed"] = geometry::find_defects(mesh).closed();
   report["triangles"] = mesh.triangles.size();
   report["mended"] = mended_json(prepared.mended);
   report["part_counts"] = table_json(prepared.table);
-  report["warnings"] = hull_doubts(mesh, prepared.use);
+  report["warnings"] = hull::hull_doubts(mesh, prepared.use);
   return report;
 }
 
@@ -227,4 +229,4 @@ std::string report_text(const Json& report) {
   return text;
 }
 
-}  // namespace nilas
+}  // namespace nilas::commands

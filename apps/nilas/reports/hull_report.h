@@ -8,22 +8,23 @@
 #include "core/mesh/decompose/decompose.h"
 #include "core/mesh/mend/mend.h"
 
-namespace nilas {
+namespace nilas::commands {
 
 /// A hull and how it was made.
 struct PreparedHull {
-  Hull hull;
-  std::vector<MeshNote> mended;
-  std::optional<Deviation> deviation;  ///< deviation of the convex parts from the mesh; none if the mesh is the part
-  std::vector<PartCount> table;        ///< empty if nothing was decomposed
+  hull::Hull hull;
+  std::vector<mesh::MeshNote> mended;
+  std::optional<mesh::Deviation>
+      deviation;                       ///< deviation of the convex parts from the mesh; none if the mesh is the part
+  std::vector<mesh::PartCount> table;  ///< empty if nothing was decomposed
   std::optional<double> tolerance;     ///< tolerance asked of the parts, if a mesh was decomposed [m]
   double draught = 0;                  ///< draught of the waterline that the report takes [m]
-  HullUse use;                         ///< origin of the hull, for advice
+  hull::HullUse use;                   ///< origin of the hull, for advice
 };
 
 /// The height z of the waterline in frame V [m]. Throws InputError unless the draught lies between a thousandth of the
 /// height, below which rounding would show in GM, and the height.
-double waterline_level(const TriangleMesh& mesh, double draught);
+double waterline_level(const geometry::TriangleMesh& mesh, double draught);
 
 /// Why the convex parts deviate by more than the tolerance, and what helps; empty if they do not. `most`: the number of
 /// parts that is allowed.
@@ -36,4 +37,4 @@ nlohmann::ordered_json hull_report(const PreparedHull& prepared);
 /// The report as text, without the warnings and with at most three places of each kind.
 std::string report_text(const nlohmann::ordered_json& report);
 
-}  // namespace nilas
+}  // namespace nilas::commands

@@ -7,7 +7,7 @@
 #include "core/base/file_bytes.h"
 #include "core/geometry/mesh_box.h"
 
-namespace nilas {
+namespace nilas::commands {
 
 namespace {
 
@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 constexpr double k_gap_share = 1e-5, k_hole_share = 0.05, k_tolerance_share = 1e-3;  // of the longest side
 
 /// The mesh in metres, with x forward and z up.
-PolygonSoup in_vessel_frame(PolygonSoup soup, const HullPreparation& how) {
+mesh::PolygonSoup in_vessel_frame(mesh::PolygonSoup soup, const HullPreparation& how) {
   const Mat3 R = how.axes.to_vessel();
   for (auto& p : soup.points) p = how.scale * (R * p);
   return soup;
@@ -29,7 +29,7 @@ struct Reach {
 };
 
 /// The extent of the mesh. Throws InputError if no ship or platform has such a size.
-Reach demand_sensible_size(const PolygonSoup& soup, const fs::path& file) {
+Reach demand_sensible_size(const mesh::PolygonSoup& soup, const fs::path& file) {
   Eigen::AlignedBox3d box;
   for (const auto& loop : soup.polygons)
     for (const int v : loop) box.extend(soup.points[v]);
@@ -44,7 +44,7 @@ Reach demand_sensible_size(const PolygonSoup& soup, const fs::path& file) {
   return {longest, furthest};
 }
 
-MendSettings mend_settings(const HullPreparation& how, double longest) {
+mesh::MendSettings mend_settings(const HullPreparation& how, double longest) {
   return {how.gap.value_or(k_gap_share * longest), how.largest_hole.value_or(k_hole_share * longest)};
 }
 
@@ -77,7 +77,7 @@ void demand_digits(const Reach& reach, const HullPreparation& how, const fs::pat
       k_part * tolerance < gap ? ", or give a larger --tolerance" : ", or give a larger --gap"));
 }
 
-[[noreturn]] void refuse(const fs::path& file, const MendedMesh& mesh, NewHullFolder& folder) {
+[[noreturn]] void refuse(const fs::path& file, const mesh::MendedMesh& mesh, hull::NewHullFolder& folder) {
   std::string text = file.string() + ": the mesh cannot be mended:";
   constexpr std::size_t k_shown = 8;
   for (const auto& note : mesh.open) {
@@ -109,43 +109,44 @@ auto naming(const fs::path& file, const Work& work) {
 
 /// The draught of the report. Throws InputError, before minutes of work on the convex parts, if the hull has no such
 /// one.
-double draught_of(const TriangleMesh& mesh, const HullPreparation& how) {
-  const double draught = how.draught.value_or(0.5 * box_of(mesh).sizes().z());
+double draught_of(const geometry::TriangleMesh& mesh, const HullPreparation& how) {
+  const double draught = how.draught.value_or(0.5 * geometry::box_of(mesh).sizes().z());
   waterline_level(mesh, draught);
   return draught;
 }
 
 PreparedHull from_folder(const fs::path& folder, const HullPreparation& how) {
   PreparedHull prepared;
-  prepared.hull = read_hull(folder);
+  prepared.hull = hull::read_hull(folder);
   prepared.draught = draught_of(prepared.hull.fluid, how);
   constexpr double k_precision = 0.05;  // of the tolerance
-  prepared.deviation = deviation_of(prepared.hull.parts, prepared.hull.fluid,
-                                    k_precision * k_tolerance_share * box_of(prepared.hull.fluid).sizes().maxCoeff());
+  prepared.deviation =
+      mesh::deviation_of(prepared.hull.parts, prepared.hull.fluid,
+                         k_precision * k_tolerance_share * geometry::box_of(prepared.hull.fluid).sizes().maxCoeff());
   return prepared;
 }
 
 }  // namespace
 
-PreparedHull prepare_hull(const fs::path& mesh, const HullPreparation& how, NewHullFolder& folder) {
+PreparedHull prepare_hull(const fs::path& mesh, const HullPreparation& how, hull::NewHullFolder& folder) {
   if (is_folder(mesh)) return from_folder(mesh, how);
   const auto done = [&](const char* stage) {
     if (how.stage_done) how.stage_done(stage);
   };
-  const PolygonSoup soup = in_vessel_frame(read_polygons(mesh), how);
+  const mesh::PolygonSoup soup = in_vessel_frame(mesh::read_polygons(mesh), how);
   const Reach reach = demand_sensible_size(soup, mesh);
   const double longest = reach.longest, tolerance = tolerance_of(how, longest);
   demand_tolerance(tolerance, longest);
   demand_digits(reach, how, mesh);
   done("read");
-  MendedMesh mended = naming(mesh, [&] { return mend(soup, mend_settings(how, longest)); });
+  mesh::MendedMesh mended = naming(mesh, [&] { return mesh::mend(soup, mend_settings(how, longest)); });
   if (!mended.open.empty()) refuse(mesh, mended, folder);
   PreparedHull prepared;
   prepared.draught = draught_of(mended.mesh, how);
   done("mend");
-  ConvexParts parts = naming(mesh, [&] {
-    const bool symmetric = asymmetry(mended.mesh) <= k_symmetric_share * longest;
-    return decompose(mended.mesh, {tolerance, how.most_parts, symmetric, how.threads});
+  mesh::ConvexParts parts = naming(mesh, [&] {
+    const bool symmetric = mesh::asymmetry(mended.mesh) <= mesh::k_symmetric_share * longest;
+    return mesh::decompose(mended.mesh, {tolerance, how.most_parts, symmetric, how.threads});
   });
   done("decompose");
   prepared.hull = {std::move(mended.mesh), std::move(parts.parts)};
@@ -156,4 +157,4 @@ PreparedHull prepare_hull(const fs::path& mesh, const HullPreparation& how, NewH
   return prepared;
 }
 
-}  // namespace nilas
+}  // namespace nilas::commands

@@ -5,14 +5,14 @@
 #include "apps/verify/families.h"
 #include "apps/verify/scene_changes.h"
 
-namespace nilas {
+namespace nilas::verify {
 
 namespace {
 
 /// The area of the sides of wedge and pyramid over its projection along the motion. Their half angle is atan 1/2.
 const double k_slant = std::sqrt(5.0);
 
-Overrides crushing_ice(const Setting& s, const std::string& model) {
+scene::Overrides crushing_ice(const Setting& s, const std::string& model) {
   return {{"fracture/@compressive_strength", text(s["strength"])},
           {"fracture/crushing/@model", model},
           {"ice/floe[1]/@thickness", text(s["thickness"])}};
@@ -21,7 +21,7 @@ Overrides crushing_ice(const Setting& s, const std::string& model) {
 /// The wedge is as wide in the ice as it is deep. The force follows from the area where the step finds the contacts.
 std::vector<Quantity> steady_wedge(const Setting& s) {
   const double speed = s["speed"], start = -0.0025;
-  Trial run = s.trial(crushing_ice(s, "explicit") + Overrides{{"vessel/carriage/@speed", text(speed)}});
+  Trial run = s.trial(crushing_ice(s, "explicit") + scene::Overrides{{"vessel/carriage/@speed", text(speed)}});
   double worst = 0, largest = 0;
   const long n = s.steps(1);
   double work = 0;
@@ -37,7 +37,7 @@ std::vector<Quantity> steady_wedge(const Setting& s) {
           {"crushing energy [J]", run.last().ledger.crushing, work}};
 }
 
-Overrides impact(const Setting& s, const std::string& mesh) {
+scene::Overrides impact(const Setting& s, const std::string& mesh) {
   return of("indenter", "mesh", mesh) + of("indenter", "mass", s["mass"]) +
          of("indenter", "velocity", Vec3(s["speed"], 0, 0));
 }
@@ -68,8 +68,8 @@ std::vector<Quantity> wedge_impact(const Setting& s) {
 std::vector<Quantity> popov(const Setting& s) {
   const double exponent = s["exponent"], coefficient = s["coefficient"], m = s["mass"], speed = s["speed"];
   Trial run = s.trial(crushing_ice(s, "pressure-area") + impact(s, "pyramid.stl") +
-                      Overrides{{"fracture/crushing/@coefficient", text(coefficient)},
-                                {"fracture/crushing/@exponent", text(exponent)}});
+                      scene::Overrides{{"fracture/crushing/@coefficient", text(coefficient)},
+                                       {"fracture/crushing/@exponent", text(exponent)}});
   const double k = coefficient * std::pow(k_slant, exponent), q = 2 + 2 * exponent;
   const double depth = std::pow((q + 1) * m * speed * speed / (2 * k), 1 / (q + 1));
   const double start = run.body("indenter").p.x();
@@ -111,4 +111,4 @@ std::vector<Case> crushing() {
   return add.cases();
 }
 
-}  // namespace nilas
+}  // namespace nilas::verify

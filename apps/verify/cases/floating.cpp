@@ -4,13 +4,13 @@
 #include "apps/verify/families.h"
 #include "apps/verify/scene_changes.h"
 
-namespace nilas {
+namespace nilas::verify {
 
 namespace {
 
 constexpr double k_water = 1025, k_fresh = 1000;  // densities of the scenes' water [kg/m^3]
 
-Overrides floating_ice(double density, double thickness) {
+scene::Overrides floating_ice(double density, double thickness) {
   return {{"ice/@density", text(density)}, {"ice/@thickness", text(thickness)}};
 }
 
@@ -37,7 +37,7 @@ std::vector<Quantity> draught(const Setting& s) {
 
 std::vector<Quantity> heave(const Setting& s) {
   const double t = s["thickness"], draught = t * s["density"] / k_water, offset = 0.02;
-  Trial run = s.trial(floating_ice(s["density"], t) + Overrides{{"ice/floe[1]/@z", text(offset)}});
+  Trial run = s.trial(floating_ice(s["density"], t) + scene::Overrides{{"ice/floe[1]/@z", text(offset)}});
   Oscillation exact{offset, 0};
   double worst = 0;
   for (long k = 0; k < s.steps(5); ++k) {
@@ -85,7 +85,7 @@ std::vector<Quantity> free_roll(const Setting& s) {
 
 std::vector<Quantity> coast(const Setting& s) {
   const double form = s["form"], v0 = s["speed"], area = 0.5, mass = 1000;
-  Trial run = s.trial(of("box", "velocity", Vec3(v0, 0, 0)) + Overrides{{"hydro/drag/@form", text(form)}});
+  Trial run = s.trial(of("box", "velocity", Vec3(v0, 0, 0)) + scene::Overrides{{"hydro/drag/@form", text(form)}});
   const long n = s.steps(5);
   run.run(n);
   const double k = k_fresh * form * area / (2 * mass);
@@ -183,4 +183,4 @@ std::vector<Case> floating() {
   return add.cases();
 }
 
-}  // namespace nilas
+}  // namespace nilas::verify

@@ -7,7 +7,7 @@
 #include "apps/verify/families.h"
 #include "apps/verify/scene_changes.h"
 
-namespace nilas {
+namespace nilas::verify {
 
 namespace {
 
@@ -76,7 +76,7 @@ std::vector<Quantity> asymmetric_top(const Setting& s) {
 std::vector<Quantity> without_gyroscopic_torque(const Setting& s) {
   const Vec3 w(s["w1"], 0, s["w3"]);
   Trial run = s.trial(of("top", "inertia", principal(k_asymmetric)) + of("top", "angular_velocity", w) +
-                      Overrides{{"contact/@gyroscopic", "false"}});
+                      scene::Overrides{{"contact/@gyroscopic", "false"}});
   const long n = s.steps(10);
   run.run(n);
   const BodyState top = run.body("top");
@@ -221,4 +221,4 @@ std::vector<Case> free_bodies() {
   return cases;
 }
 
-}  // namespace nilas
+}  // namespace nilas::verify

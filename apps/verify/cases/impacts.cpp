@@ -5,7 +5,7 @@
 #include "apps/verify/families.h"
 #include "apps/verify/scene_changes.h"
 
-namespace nilas {
+namespace nilas::verify {
 
 namespace {
 
@@ -69,7 +69,7 @@ std::vector<Quantity> elastic_bounces(const Setting& s) {
   const double energy = run.initial_ledger().kinetic + run.initial_ledger().potential;
   const long most = 2 * k_bounces * s.steps(2 * std::sqrt(2 * drop / k_gravity));
   for (long k = 0; count < k_bounces && k < most; ++k) {
-    const Ledger& ledger = run.step().ledger;
+    const sim::Ledger& ledger = run.step().ledger;
     const double now = run.body("ball").v.z();
     if (now > 0 && before < 0) ++count;
     before = now;
@@ -105,7 +105,7 @@ std::vector<Quantity> cradle(const Setting& s) {
 std::vector<Quantity> cannon(const Setting& s) {
   const double ratio = s["ratio"], v = s["speed"];
   const std::array<double, 3> mass{100, 100 / ratio, 100 / ratio / ratio};
-  Overrides changes;
+  scene::Overrides changes;
   for (std::size_t k = 0; k < mass.size(); ++k) {
     const std::string name = "ball" + std::to_string(k + 1);
     changes = changes + of(name, "mass", mass[k]) + of(name, "velocity", Vec3(0, 0, -v));
@@ -218,4 +218,4 @@ std::vector<Case> impacts() {
   return add.cases();
 }
 
-}  // namespace nilas
+}  // namespace nilas::verify

@@ -7,7 +7,7 @@
 #include "apps/verify/scene_changes.h"
 #include "contact/registry.h"
 
-namespace nilas {
+namespace nilas::verify {
 
 namespace {
 
@@ -26,7 +26,7 @@ double difference(const Trial& one, const Trial& other, const std::string& prefi
   return worst;
 }
 
-Trial pile(const Setting& s, const Overrides& changes, const std::string& scene = "pile.xml", int threads = 1) {
+Trial pile(const Setting& s, const scene::Overrides& changes, const std::string& scene = "pile.xml", int threads = 1) {
   Trial run = s.trial_of(scene, friction(s["mu"]) + changes, threads);
   run.run(s.steps(k_pile_time));
   return run;
@@ -51,8 +51,8 @@ std::vector<Quantity> turned(const Setting& s) {
 
 std::vector<Quantity> axes(const Setting& s) {
   const double change = 0.3 * k_gravity * s.h(), speed = 2;
-  Trial run =
-      s.trial(of("block", "velocity", Vec3(speed, 0, 0)) + Overrides{{"contact/@axes_deg", text(s["axes_deg"])}});
+  Trial run = s.trial(of("block", "velocity", Vec3(speed, 0, 0)) +
+                      scene::Overrides{{"contact/@axes_deg", text(s["axes_deg"])}});
   run.run(static_cast<long>(speed / change) + 5);
   // Along each axis of the pyramid the velocity falls to zero by itself.
   const Mat3 R = Eigen::AngleAxisd(s["axes_deg"] * k_deg, Vec3::UnitZ()).toRotationMatrix();
@@ -100,7 +100,7 @@ std::vector<Quantity> enlarged(const Setting& s) {
   Trial one = s.trial(of("block", "velocity", "2 1 0"));
   Trial other = s.trial(
       of("block", "velocity", Vec3(slower * Vec3(2, 1, 0))) + of("block", "position", Vec3(0, 0, 0.1 * lambda)) +
-      of("block", "size", Vec3(lambda * Vec3(1, 1, 0.2))) + Overrides{{"time/@step", text(slower * s.h())}});
+      of("block", "size", Vec3(lambda * Vec3(1, 1, 0.2))) + scene::Overrides{{"time/@step", text(slower * s.h())}});
   one.run(30);
   other.run(30);
   const BodyState a = one.body("block"), b = other.body("block");
@@ -138,7 +138,7 @@ std::vector<Quantity> twice(const Setting& s) {
 std::vector<Quantity> smooth(const Setting& s) {
   Trial one = s.trial(friction(0) + of("side", "velocity", Vec3(-s["speed"], 0.3, 0)));
   Trial other = s.trial(of("side", "velocity", Vec3(-s["speed"], 0.3, 0)) +
-                        Overrides{{"contact/@law", "frictionless"}, {"contact/@solver", "enumerate"}});
+                        scene::Overrides{{"contact/@law", "frictionless"}, {"contact/@solver", "enumerate"}});
   one.run(s.steps(k_pile_time));
   other.run(s.steps(k_pile_time));
   return {{"difference from the frictionless law by enumerate [m/s]", difference(one, other), 0, 1}};
@@ -155,9 +155,9 @@ std::vector<Quantity> rough(const Setting& s) {
 
 std::vector<Quantity> warm(const Setting& s) {
   const Trial run = pile(s, {});
-  const SolvedProblem& solved = run.problem();
-  const auto solver = find_solver(s.model().solver).make({.tolerance = k_solved, .max_iterations = 1000});
-  const ContactSolution again = solver->solve(solved.problem, solved.solution.r);
+  const contact::SolvedProblem& solved = run.problem();
+  const auto solver = contact::find_solver(s.model().solver).make({.tolerance = k_solved, .max_iterations = 1000});
+  const contact::ContactSolution again = solver->solve(solved.problem, solved.solution.r);
   return {{"iterations beyond one", std::max(0, again.iterations - 1) * 1.0, 0, 1},
           {"change of velocities [m/s]", (again.v - solved.solution.v).norm(), 0, 1},
           {"contacts exist (1: yes)", static_cast<double>(run.last().contacts > 0), 1}};
@@ -172,7 +172,7 @@ std::vector<Quantity> threads(const Setting& s) {
     Trial run = s.trial(
         {{"contact/friction[1]/@static", text(s["mu"])}, {"contact/friction[1]/@kinetic", text(s["mu"])}}, count);
     for (std::size_t k = 0; k < k_steps; ++k) {
-      const StepRecord& record = run.step();
+      const sim::StepRecord& record = run.step();
       contacts = std::max(contacts, record.contacts);
       if (hashes.size() <= k) hashes.push_back(record.state_hash);
       if (hashes[k] != record.state_hash) same = 0;
@@ -227,4 +227,4 @@ std::vector<Case> invariances() {
   return add.cases();
 }
 
-}  // namespace nilas
+}  // namespace nilas::verify

@@ -6,20 +6,20 @@
 #include "apps/verify/scene_changes.h"
 #include "apps/verify/setting.h"
 
-namespace nilas {
+namespace nilas::verify {
 
 namespace {
 
 /// Turns floor and block about Y by `degrees`, downhill along +X, and gives the block this speed downhill [m/s].
-Overrides on_slope(double degrees, double speed) {
+scene::Overrides on_slope(double degrees, double speed) {
   const Vec3 up(std::sin(degrees * k_deg), 0, std::cos(degrees * k_deg));
   const Vec3 down(std::cos(degrees * k_deg), 0, -std::sin(degrees * k_deg));
   const std::string turn = "0 " + text(degrees) + " 0";
-  return Overrides{{"body[@name='floor']/@rotation_deg", turn}, {"body[@name='block']/@rotation_deg", turn}} +
+  return scene::Overrides{{"body[@name='floor']/@rotation_deg", turn}, {"body[@name='block']/@rotation_deg", turn}} +
          of("block", "position", 0.1 * up) + of("block", "velocity", speed * down);
 }
 
-Overrides moving(const Vec3& velocity) { return of("block", "velocity", velocity); }
+scene::Overrides moving(const Vec3& velocity) { return of("block", "velocity", velocity); }
 
 std::vector<Quantity> threshold(const Setting& s) {
   constexpr double k_near = 1e-6;
@@ -187,8 +187,8 @@ std::vector<Quantity> static_and_kinetic(const Setting& s) {
   const long n = s.steps(0.5);
   const auto speed = [&](double start, double share) {
     Trial run = s.trial(moving({start, 0, 0}) +
-                        Overrides{{"contact/friction[1]/@static", text(s["mu_static"])},
-                                  {"contact/friction[1]/@kinetic", text(s["mu_kinetic"])}} +
+                        scene::Overrides{{"contact/friction[1]/@static", text(s["mu_static"])},
+                                         {"contact/friction[1]/@kinetic", text(s["mu_kinetic"])}} +
                         gravity({share * k_gravity, 0, -k_gravity}));
     run.run(n);
     return run.body("block").v.x();
@@ -261,4 +261,4 @@ std::vector<Case> point_friction() {
   return add.cases();
 }
 
-}  // namespace nilas
+}  // namespace nilas::verify

@@ -5,7 +5,7 @@
 #include "apps/verify/recurrences.h"
 #include "apps/verify/scene_changes.h"
 
-namespace nilas {
+namespace nilas::verify {
 
 namespace {
 
@@ -21,8 +21,8 @@ struct Round {
 constexpr Round k_ball{"ball.xml", "ball", "ball", 0.4}, k_cylinder{"roller.xml", "roller", "cylinder", 0.5},
     k_hoop{"roller.xml", "roller", "hoop", 1};
 
-Trial rolled(const Setting& s, const Round& round, const Overrides& changes) {
-  Overrides all = changes;
+Trial rolled(const Setting& s, const Round& round, const scene::Overrides& changes) {
+  scene::Overrides all = changes;
   const double axial = round.share * k_mass * k_radius * k_radius;
   if (round.body == std::string("roller"))
     all = all + of("roller", "inertia", text(axial) + " " + text(axial) + " " + text(axial) + " 0 0 0");
@@ -122,7 +122,7 @@ std::vector<Quantity> down_a_slope(const Setting& s) {
   return found;
 }
 
-Overrides resisting(double rolling_length, double spinning_length) {
+scene::Overrides resisting(double rolling_length, double spinning_length) {
   return {{"contact/friction[1]/@rolling", text(rolling_length)},
           {"contact/friction[1]/@spinning", text(spinning_length)}};
 }
@@ -288,4 +288,4 @@ std::vector<Case> rolling() {
   return add.cases();
 }
 
-}  // namespace nilas
+}  // namespace nilas::verify

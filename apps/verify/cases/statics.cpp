@@ -8,7 +8,7 @@
 #include "apps/verify/families.h"
 #include "apps/verify/scene_changes.h"
 
-namespace nilas {
+namespace nilas::verify {
 
 namespace {
 
@@ -29,7 +29,7 @@ double moves(double speed) {
 
 std::vector<Quantity> column(const Setting& s) {
   const std::vector<std::string> cubes{"cube1", "cube2", "cube3", "cube4", "cube5"};
-  Overrides masses;
+  scene::Overrides masses;
   for (const auto& cube : cubes) masses = masses + of(cube, "mass", s["mass"]);
   Trial run = s.trial(masses);
   run.run(20);
@@ -45,11 +45,11 @@ std::vector<Quantity> column(const Setting& s) {
 }
 
 /// Returns the residual after one sweep more, over the residual before it.
-double rate_of_sweeps(const Setting& s, const Overrides& changes, int sweeps) {
+double rate_of_sweeps(const Setting& s, const scene::Overrides& changes, int sweeps) {
   std::array<double, 2> residual{};
   for (const int more : {0, 1}) {
-    Trial run = s.trial(
-        changes + Overrides{{"contact/@tolerance", "0"}, {"contact/@max_iterations", std::to_string(sweeps + more)}});
+    Trial run = s.trial(changes + scene::Overrides{{"contact/@tolerance", "0"},
+                                                   {"contact/@max_iterations", std::to_string(sweeps + more)}});
     residual[more] = run.step().residuals.law_map_m_s;
   }
   return residual[1] / residual[0];
@@ -63,7 +63,7 @@ std::vector<Quantity> sweeps_of_two(const Setting& s) {
 }
 
 std::vector<Quantity> sweeps_of_five(const Setting& s) {
-  Overrides masses;
+  scene::Overrides masses;
   for (int k = 1; k <= 5; ++k) masses = masses + of("ball" + std::to_string(k), "mass", s["mass"]);
   const double c = std::cos(k_pi / 10);
   return {{"residual after a sweep over that before it", rate_of_sweeps(s, masses, 60), c * c}};
@@ -101,9 +101,9 @@ std::vector<Quantity> ball_on_three(const Setting& s) {
   const double normal = s["top_mass"] * k_gravity / 3, half = k_sine / (1 + k_cosine);
   const double between = half, on_floor = normal * half / (k_below * k_gravity + normal);
   const auto with = [&](double ball, double floor) {
-    Trial run =
-        s.trial(of("top", "mass", s["top_mass"]) + friction(ball) +
-                Overrides{{"contact/friction[2]/@static", text(floor)}, {"contact/friction[2]/@kinetic", text(floor)}});
+    Trial run = s.trial(
+        of("top", "mass", s["top_mass"]) + friction(ball) +
+        scene::Overrides{{"contact/friction[2]/@static", text(floor)}, {"contact/friction[2]/@kinetic", text(floor)}});
     run.run(10);
     return run;
   };
@@ -130,7 +130,7 @@ std::vector<Quantity> books(const Setting& s) {
   const std::vector<std::string> names{"book1", "book2", "book3", "book4"};
   std::vector<Quantity> found;
   for (const double share : {0.999, 1.001}) {
-    Overrides places;
+    scene::Overrides places;
     double centre = -0.5 * length;
     for (std::size_t k = 0; k < names.size(); ++k) {
       centre += share * length / 2 / static_cast<double>(names.size() - k);
@@ -213,7 +213,7 @@ std::vector<Quantity> painleve(const Setting& s) {
                       of("rod", "velocity", Vec3(s["speed"], 0, 0)) + friction(s["mu"]));
   double residual = 0, deepest = 0, largest = 0;
   for (int k = 0; k < 20; ++k) {
-    const StepRecord& record = run.step();
+    const sim::StepRecord& record = run.step();
     residual = std::max(residual, record.residuals.law_map_m_s);
     deepest = std::max(deepest, record.penetration_max);
     largest = std::max(largest, run.contact_force_on("rod").norm());
@@ -327,4 +327,4 @@ std::vector<Case> statics() {
   return add.cases();
 }
 
-}  // namespace nilas
+}  // namespace nilas::verify

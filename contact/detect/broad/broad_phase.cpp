@@ -13,7 +13,7 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 
-namespace nilas {
+namespace nilas::detect {
 
 namespace {
 
@@ -27,14 +27,16 @@ constexpr double k_most_allowed_radii = 0.05;
 constexpr std::size_t k_pieces_per_thread = 16;
 constexpr std::size_t k_parts_per_piece = 32;
 
-bool can_move(const Bodies& bodies, const Part& part) { return bodies.motion[part.body] != Motion::fixed; }
+bool can_move(const bodies::Bodies& bodies, const Part& part) {
+  return bodies.motion[part.body] != bodies::Motion::fixed;
+}
 
 /// Half sizes and centre of the part's box in G.
 struct Box {
   Vec3 centre, half;
 };
 
-Box box_of(const Bodies& bodies, const Part& part) {
+Box box_of(const bodies::Bodies& bodies, const Part& part) {
   Box box;
   const Mat3& R = bodies.R_GB[part.body];
   for (int i = 0; i < 3; ++i) {
@@ -60,11 +62,11 @@ struct Leaf : fcl::CollisionObjectd {
   double reach = 0;  ///< largest distance of the part from the body's origin [m]
 
   /// A bound on the distance that any point of the part has moved since the box was made [m].
-  double way(const Bodies& bodies) const {
+  double way(const bodies::Bodies& bodies) const {
     return (bodies.p_GB[body] - p).norm() + (bodies.R_GB[body] - R).norm() * reach;
   }
 
-  void fit(const Bodies& bodies, const Part& of, double half_margin) {
+  void fit(const bodies::Bodies& bodies, const Part& of, double half_margin) {
     const double r = of.bounding_radius;
     const double allowance =
         std::clamp(2.0 * k_allowed_margins * half_margin, k_least_allowed_radii * r, k_most_allowed_radii * r);
@@ -85,7 +87,7 @@ struct Leaf : fcl::CollisionObjectd {
   }
 };
 
-std::unique_ptr<Leaf> make_leaf(const Bodies& bodies, const Part& part, int index) {
+std::unique_ptr<Leaf> make_leaf(const bodies::Bodies& bodies, const Part& part, int index) {
   auto leaf = std::make_unique<Leaf>(std::make_shared<fcl::Boxd>(1.0, 1.0, 1.0));
   leaf->part = index;
   leaf->body = part.body;
@@ -116,16 +118,16 @@ struct BroadPhase::Tree {
 
   /// Adds the parts that are new and no planes, and calls fit(leaf) for each.
   template <class Fit>
-  void add_new_parts(const Bodies& bodies, const std::vector<Part>& parts, const Fit& fit);
+  void add_new_parts(const bodies::Bodies& bodies, const std::vector<Part>& parts, const Fit& fit);
   std::vector<fcl::AABBd> boxes() const;
-  void refit(const Bodies& bodies, const std::vector<Part>& parts, double margin, int threads);
+  void refit(const bodies::Bodies& bodies, const std::vector<Part>& parts, double margin, int threads);
   void list_tree_pairs(int threads);
-  void list_plane_pairs(const Bodies& bodies, const std::vector<Part>& parts, double margin);
+  void list_plane_pairs(const bodies::Bodies& bodies, const std::vector<Part>& parts, double margin);
   void sort_pairs(int bodies, int threads);
 };
 
 template <class Fit>
-void BroadPhase::Tree::add_new_parts(const Bodies& bodies, const std::vector<Part>& parts, const Fit& fit) {
+void BroadPhase::Tree::add_new_parts(const bodies::Bodies& bodies, const std::vector<Part>& parts, const Fit& fit) {
   std::vector<fcl::CollisionObjectd*> fresh;
   for (; known_parts < parts.size(); ++known_parts) {
     const Part& part = parts[known_parts];
@@ -162,7 +164,7 @@ std::vector<fcl::AABBd> BroadPhase::Tree::boxes() const {
   return boxes;
 }
 
-void BroadPhase::Tree::refit(const Bodies& bodies, const std::vector<Part>& parts, double margin, int threads) {
+void BroadPhase::Tree::refit(const bodies::Bodies& bodies, const std::vector<Part>& parts, double margin, int threads) {
   refitted.resize(leaves.size());
   parallel_chunks(static_cast<std::ptrdiff_t>(leaves.size()), k_chunk, threads,
                   [&](std::ptrdiff_t, std::ptrdiff_t first, std::ptrdiff_t last) {
@@ -199,7 +201,7 @@ void BroadPhase::Tree::list_tree_pairs(int threads) {
   });
 }
 
-void BroadPhase::Tree::list_plane_pairs(const Bodies& bodies, const std::vector<Part>& parts, double margin) {
+void BroadPhase::Tree::list_plane_pairs(const bodies::Bodies& bodies, const std::vector<Part>& parts, double margin) {
   std::vector<PartPair>& list = lists.back();
   list.clear();
   for (int plane : planes) {
@@ -241,7 +243,7 @@ BroadPhase::~BroadPhase() = default;
 BroadPhase::BroadPhase(BroadPhase&&) noexcept = default;
 BroadPhase& BroadPhase::operator=(BroadPhase&&) noexcept = default;
 
-void BroadPhase::list_pairs(const Bodies& bodies, const std::vector<Part>& parts, double margin, int threads,
+void BroadPhase::list_pairs(const bodies::Bodies& bodies, const std::vector<Part>& parts, double margin, int threads,
                             std::vector<PartPair>& pairs, std::vector<int>& walk) {
   tree_->refit(bodies, parts, margin, threads);
   tree_->add_new_parts(bodies, parts, [&](Leaf& leaf) { leaf.fit(bodies, parts[leaf.part], 0.5 * margin); });
@@ -279,7 +281,7 @@ void BroadPhase::save(StateWriter out) const {
   out.add("fat", fat);
 }
 
-void BroadPhase::restore(const Bodies& bodies, const std::vector<Part>& parts, const StateReader& in) {
+void BroadPhase::restore(const bodies::Bodies& bodies, const std::vector<Part>& parts, const StateReader& in) {
   NILAS_DEMAND(tree_->known_parts == 0);
   std::vector<Vec3> low, high, p;
   std::vector<Mat3> R;
@@ -304,4 +306,4 @@ void BroadPhase::restore(const Bodies& bodies, const std::vector<Part>& parts, c
   });
 }
 
-}  // namespace nilas
+}  // namespace nilas::detect

@@ -8,7 +8,7 @@
 #include "core/base/state.h"
 #include "core/bodies/bodies.h"
 
-namespace nilas {
+namespace nilas::detect {
 
 /// Two bodies, and the indices of two of their parts in the list of parts.
 struct PartPair {
@@ -30,17 +30,17 @@ class BroadPhase {
   /// parts.
   /// `walk`: indices of the pairs in the order in which the tree finds them. Neighbours in space follow each other
   /// there, so that a part's geometry is still in the cache when its next pair needs it.
-  void list_pairs(const Bodies& bodies, const std::vector<Part>& parts, double margin, int threads,
+  void list_pairs(const bodies::Bodies& bodies, const std::vector<Part>& parts, double margin, int threads,
                   std::vector<PartPair>& pairs, std::vector<int>& walk);
 
   /// Saves the boxes and the poses for which they were made.
   void save(StateWriter out) const;
   /// Restores saved boxes, before the first call of list_pairs(). Throws InputError when they are not those of `parts`.
-  void restore(const Bodies& bodies, const std::vector<Part>& parts, const StateReader& in);
+  void restore(const bodies::Bodies& bodies, const std::vector<Part>& parts, const StateReader& in);
 
  private:
   struct Tree;
   std::unique_ptr<Tree> tree_;
 };
 
-}  // namespace nilas
+}  // namespace nilas::detect

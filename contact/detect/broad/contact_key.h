@@ -4,7 +4,7 @@
 #include <compare>
 #include <cstdint>
 
-namespace nilas {
+namespace nilas::detect {
 
 /// The kinds of features that meet at a contact point.
 enum class FeatureKind {
@@ -41,4 +41,4 @@ inline std::uint64_t contact_key(std::uint64_t pair, const Feature& feature) {
   return mix(mix(pair, static_cast<std::uint64_t>(feature.kind)), first << 32 | second);
 }
 
-}  // namespace nilas
+}  // namespace nilas::detect

@@ -6,7 +6,7 @@
 
 #include "core/base/math.h"
 
-namespace nilas {
+namespace nilas::detect {
 
 struct ContactPoint {
   int a = -1;      ///< index of the body with the lower id
@@ -27,4 +27,4 @@ struct ContactPoint {
   bool crushes() const { return std::isfinite(force_limit); }
 };
 
-}  // namespace nilas
+}  // namespace nilas::detect

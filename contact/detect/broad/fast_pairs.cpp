@@ -5,35 +5,35 @@
 #include <limits>
 #include <utility>
 
-namespace nilas {
+namespace nilas::detect {
 
 namespace {
 
 /// The distance that a body's points move by its rotation [m]. A sphere that turns about its centre does not move its
 /// surface.
-double turning_way(const Bodies& bodies, const FastMotion& motion, std::size_t b) {
-  const Shape& shape = *bodies.shape[b];
-  if (bodies.motion[b] == Motion::fixed || shape.kind == ShapeKind::sphere) return 0;
+double turning_way(const bodies::Bodies& bodies, const FastMotion& motion, std::size_t b) {
+  const geometry::Shape& shape = *bodies.shape[b];
+  if (bodies.motion[b] == bodies::Motion::fixed || shape.kind == geometry::ShapeKind::sphere) return 0;
   const double turn = motion.h * motion.w[b].norm();
   return turn > 0 ? turn * shape.bounding_radius : 0;
 }
 
-Vec3 way(const Bodies& bodies, const FastMotion& motion, std::size_t b) {
-  return bodies.motion[b] == Motion::fixed ? Vec3(Vec3::Zero()) : Vec3(motion.h * motion.v[b]);
+Vec3 way(const bodies::Bodies& bodies, const FastMotion& motion, std::size_t b) {
+  return bodies.motion[b] == bodies::Motion::fixed ? Vec3(Vec3::Zero()) : Vec3(motion.h * motion.v[b]);
 }
 
-Vec3 mean_way(const Bodies& bodies, const FastMotion& motion) {
+Vec3 mean_way(const bodies::Bodies& bodies, const FastMotion& motion) {
   Vec3 sum = Vec3::Zero();
   double count = 0;
   for (std::size_t b = 0; b < motion.v.size(); ++b)
-    if (bodies.motion[b] != Motion::fixed) {
+    if (bodies.motion[b] != bodies::Motion::fixed) {
       sum += motion.h * motion.v[b];
       count += 1;
     }
   return sum / std::max(count, 1.0);
 }
 
-double relative_way(const Bodies& bodies, const FastMotion& motion, int a, int b) {
+double relative_way(const bodies::Bodies& bodies, const FastMotion& motion, int a, int b) {
   const auto i = static_cast<std::size_t>(a), j = static_cast<std::size_t>(b);
   return (way(bodies, motion, j) - way(bodies, motion, i)).norm() + turning_way(bodies, motion, i) +
          turning_way(bodies, motion, j);
@@ -47,7 +47,7 @@ struct SweptBox {
 
 }  // namespace
 
-std::vector<double> smallest_widths(const Bodies& bodies) {
+std::vector<double> smallest_widths(const bodies::Bodies& bodies) {
   std::vector<double> widths;
   for (const auto& shape : bodies.shape) {
     double width = std::numeric_limits<double>::infinity();
@@ -59,7 +59,7 @@ std::vector<double> smallest_widths(const Bodies& bodies) {
   return widths;
 }
 
-bool any_fast(const Bodies& bodies, const FastMotion& motion, const std::vector<double>& widths, double share) {
+bool any_fast(const bodies::Bodies& bodies, const FastMotion& motion, const std::vector<double>& widths, double share) {
   const Vec3 mean = mean_way(bodies, motion);
   double farthest = 0, second = 0, thinnest = std::numeric_limits<double>::infinity();
   for (std::size_t b = 0; b < widths.size(); ++b) {
@@ -71,14 +71,14 @@ bool any_fast(const Bodies& bodies, const FastMotion& motion, const std::vector<
   return farthest + second > share * thinnest;
 }
 
-bool is_fast(const Bodies& bodies, const FastMotion& motion, const std::vector<double>& widths, double share, int a,
-             int b) {
+bool is_fast(const bodies::Bodies& bodies, const FastMotion& motion, const std::vector<double>& widths, double share,
+             int a, int b) {
   const double width = std::min(widths[a], widths[b]);
   return relative_way(bodies, motion, a, b) > share * width;
 }
 
-std::vector<FastPair> fast_pairs(const Bodies& bodies, const FastMotion& motion, const std::vector<double>& widths,
-                                 double share) {
+std::vector<FastPair> fast_pairs(const bodies::Bodies& bodies, const FastMotion& motion,
+                                 const std::vector<double>& widths, double share) {
   std::vector<FastPair> pairs;
   if (!any_fast(bodies, motion, widths, share)) return pairs;
   const Vec3 mean = mean_way(bodies, motion);
@@ -92,7 +92,7 @@ std::vector<FastPair> fast_pairs(const Bodies& bodies, const FastMotion& motion,
   std::sort(boxes.begin(), boxes.end(), [](const SweptBox& p, const SweptBox& q) {
     return std::pair(p.low.x(), p.body) < std::pair(q.low.x(), q.body);
   });
-  const auto is_fixed = [&](int b) { return bodies.motion[b] == Motion::fixed; };
+  const auto is_fixed = [&](int b) { return bodies.motion[b] == bodies::Motion::fixed; };
   for (std::size_t i = 0; i < boxes.size(); ++i)
     for (std::size_t j = i + 1; j < boxes.size() && boxes[j].low.x() <= boxes[i].high.x(); ++j) {
       const SweptBox &p = boxes[i], &q = boxes[j];
@@ -108,4 +108,4 @@ std::vector<FastPair> fast_pairs(const Bodies& bodies, const FastMotion& motion,
   return pairs;
 }
 
-}  // namespace nilas
+}  // namespace nilas::detect

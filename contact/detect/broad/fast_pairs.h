@@ -5,7 +5,7 @@
 #include "core/base/math.h"
 #include "core/bodies/bodies.h"
 
-namespace nilas {
+namespace nilas::detect {
 
 /// The motion that a search for fast pairs judges.
 struct FastMotion {
@@ -22,15 +22,15 @@ struct FastPair {
 };
 
 /// Returns the smallest width of each body's parts [m]; infinite for a half space.
-std::vector<double> smallest_widths(const Bodies& bodies);
+std::vector<double> smallest_widths(const bodies::Bodies& bodies);
 
 /// Returns false when no pair can be fast, at the cost of one pass over the bodies.
-bool any_fast(const Bodies& bodies, const FastMotion& motion, const std::vector<double>& widths, double share);
+bool any_fast(const bodies::Bodies& bodies, const FastMotion& motion, const std::vector<double>& widths, double share);
 /// Returns whether a point of body b may move more than `share` of the smaller of both `widths` [m] against body a.
-bool is_fast(const Bodies& bodies, const FastMotion& motion, const std::vector<double>& widths, double share, int a,
-             int b);
+bool is_fast(const bodies::Bodies& bodies, const FastMotion& motion, const std::vector<double>& widths, double share,
+             int a, int b);
 /// Returns all fast pairs whose bounding balls meet along their paths, in rising order.
-std::vector<FastPair> fast_pairs(const Bodies& bodies, const FastMotion& motion, const std::vector<double>& widths,
-                                 double share);
+std::vector<FastPair> fast_pairs(const bodies::Bodies& bodies, const FastMotion& motion,
+                                 const std::vector<double>& widths, double share);
 
-}  // namespace nilas
+}  // namespace nilas::detect

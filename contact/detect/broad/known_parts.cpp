@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace nilas {
+namespace nilas::detect {
 
 namespace {
 
@@ -23,15 +23,15 @@ std::vector<int> KnownParts::keep(const std::vector<char>& gone) {
     new_part.push_back(gone[part.body] ? -1 : parts_kept++);
     part.body = new_body[part.body];
   }
-  remove_marked(gone_parts, parts);
-  remove_marked(gone_parts, touching);
-  remove_marked(gone, ids);
-  remove_marked(gone, shapes);
-  remove_marked(gone, thickness);
+  bodies::remove_marked(gone_parts, parts);
+  bodies::remove_marked(gone_parts, touching);
+  bodies::remove_marked(gone, ids);
+  bodies::remove_marked(gone, shapes);
+  bodies::remove_marked(gone, thickness);
   return new_part;
 }
 
-std::vector<int> KnownParts::forget_gone(const Bodies& bodies) {
+std::vector<int> KnownParts::forget_gone(const bodies::Bodies& bodies) {
   std::vector<char> gone;
   std::size_t kept = 0;
   for (std::size_t b = 0; b < ids.size(); ++b) {
@@ -43,7 +43,7 @@ std::vector<int> KnownParts::forget_gone(const Bodies& bodies) {
   return keep(gone);
 }
 
-void KnownParts::add_new(const Bodies& bodies) {
+void KnownParts::add_new(const bodies::Bodies& bodies) {
   for (std::size_t b = ids.size(); b < bodies.id.size(); ++b) {
     ids.push_back(bodies.id[b]);
     shapes.push_back(bodies.shape[b]);
@@ -60,4 +60,4 @@ std::pair<std::vector<Part>::const_iterator, std::vector<Part>::const_iterator> 
   return std::equal_range(parts.begin(), parts.end(), body, BodyOrder{});
 }
 
-}  // namespace nilas
+}  // namespace nilas::detect

@@ -4,7 +4,7 @@
 #include <tuple>
 #include <vector>
 
-namespace nilas {
+namespace nilas::detect {
 
 namespace {
 
@@ -22,7 +22,7 @@ Vertices sorted_vertices(const Part& part, double sign) {
 /// tolerance change a mirrored scene by far less. Such a turn of the normal is too small to matter.
 constexpr double k_same = 1e-6;
 
-bool poses_are_images(const Bodies& bodies, const Part& a, const Part& b) {
+bool poses_are_images(const bodies::Bodies& bodies, const Part& a, const Part& b) {
   const auto i = static_cast<std::size_t>(a.body), k = static_cast<std::size_t>(b.body);
   const Vec3 signs(1, -1, 1);
   const double length = k_same * std::min(a.bounding_radius, b.bounding_radius);
@@ -33,13 +33,13 @@ bool poses_are_images(const Bodies& bodies, const Part& a, const Part& b) {
 
 }  // namespace
 
-bool are_images(const Bodies& bodies, const Part& a, const Part& b) {
+bool are_images(const bodies::Bodies& bodies, const Part& a, const Part& b) {
   if (!a.facets || !b.facets || a.cover || b.cover || !poses_are_images(bodies, a, b)) return false;
   const auto count = [](const Part& part) { return part.facets->polytope->vertices.size(); };
   return count(a) == count(b) && sorted_vertices(a, 1) == sorted_vertices(b, -1);
 }
 
-Axis axis_across(const Bodies& bodies, const PairView& pair) {
+Axis axis_across(const bodies::Bodies& bodies, const PairView& pair) {
   const double toward_b = bodies.p_GB[pair.b.body].y() < 0 ? -1 : 1;
   Axis axis;
   axis.n = bodies.R_GB[pair.a.body].transpose() * Vec3(0, toward_b, 0);
@@ -47,7 +47,7 @@ Axis axis_across(const Bodies& bodies, const PairView& pair) {
   return axis;
 }
 
-double middle_plane(const Bodies& bodies, const Part& a, const Part& b) {
+double middle_plane(const bodies::Bodies& bodies, const Part& a, const Part& b) {
   return 0.5 * (bodies.p_GB[a.body].y() + bodies.p_GB[b.body].y());
 }
 
@@ -56,4 +56,4 @@ bool serves_instead(const Axis& across, const Axis& best) {
   return across.s >= k_most_overlap * std::min(best.s, 0.0);
 }
 
-}  // namespace nilas
+}  // namespace nilas::detect

@@ -6,7 +6,7 @@
 
 #include "contact/detect/broad/part.h"
 
-namespace nilas {
+namespace nilas::detect {
 
 /// A pose of one frame in another: x_to = R x_from + p.
 struct RelativePose {
@@ -17,7 +17,7 @@ struct RelativePose {
   RelativePose inverse() const { return {R.transpose(), -(R.transpose() * p)}; }
 };
 
-inline RelativePose pose_of_b_in_a(const Bodies& bodies, int a, int b) {
+inline RelativePose pose_of_b_in_a(const bodies::Bodies& bodies, int a, int b) {
   const Mat3 to_a = bodies.R_GB[a].transpose();
   return {to_a * bodies.R_GB[b], to_a * (bodies.p_GB[b] - bodies.p_GB[a])};
 }
@@ -73,4 +73,4 @@ struct Axis {
   bool proven = false;  ///< set by find_axis: no other axis is better by more than the pair's tolerance
 };
 
-}  // namespace nilas
+}  // namespace nilas::detect

@@ -9,7 +9,7 @@
 
 #include "core/base/mirror_order.h"
 
-namespace nilas {
+namespace nilas::detect {
 
 namespace {
 
@@ -24,7 +24,7 @@ Columns columns(const std::vector<Vec3>& points) {
 /// One side of an edge: the two vertices of the edge, the face, and the place in the face's loop.
 using EdgeSide = std::tuple<int, int, int, int>;
 
-std::vector<EdgeSide> edge_sides(const ConvexPolytope& polytope) {
+std::vector<EdgeSide> edge_sides(const geometry::ConvexPolytope& polytope) {
   std::vector<EdgeSide> sides;
   for (int f = 0; f < static_cast<int>(polytope.faces.size()); ++f) {
     const auto& loop = polytope.faces[f];
@@ -38,7 +38,7 @@ std::vector<EdgeSide> edge_sides(const ConvexPolytope& polytope) {
   return sides;
 }
 
-PartEdge edge_between(const ConvexPolytope& polytope, int i, int j, int face) {
+PartEdge edge_between(const geometry::ConvexPolytope& polytope, int i, int j, int face) {
   const bool in_order = comes_before(polytope.vertices[i], polytope.vertices[j]);
   PartEdge edge{in_order ? i : j, in_order ? j : i, face, face};
   edge.along = polytope.vertices[edge.v1] - polytope.vertices[edge.v0];
@@ -46,7 +46,7 @@ PartEdge edge_between(const ConvexPolytope& polytope, int i, int j, int face) {
   return edge;
 }
 
-void add_edges(const ConvexPolytope& polytope, FacetedGeometry& facets) {
+void add_edges(const geometry::ConvexPolytope& polytope, FacetedGeometry& facets) {
   std::vector<std::vector<int>> of_vertex(polytope.vertices.size()), of_face;
   for (const auto& loop : polytope.faces) of_face.emplace_back(loop.size(), -1);
   std::pair<int, int> last(-1, -1);
@@ -73,7 +73,7 @@ void add_edges(const ConvexPolytope& polytope, FacetedGeometry& facets) {
   }
 }
 
-void add_smooth_neighbours(const ConvexPolytope& polytope, FacetedGeometry& facets) {
+void add_smooth_neighbours(const geometry::ConvexPolytope& polytope, FacetedGeometry& facets) {
   std::vector<std::vector<int>> neighbours(polytope.faces.size());
   const double smooth = std::cos(2.0 * k_patch_angle);
   for (const PartEdge& edge : facets.edges) {
@@ -84,7 +84,7 @@ void add_smooth_neighbours(const ConvexPolytope& polytope, FacetedGeometry& face
   for (const auto& list : neighbours) facets.smooth_neighbours.add(list);
 }
 
-double face_excess(const ConvexPolytope& polytope, int plane, int loop) {
+double face_excess(const geometry::ConvexPolytope& polytope, int plane, int loop) {
   double excess = 0;
   for (int v : polytope.faces[loop]) {
     const double height = polytope.normals[plane].dot(polytope.vertices[v]) - polytope.offsets[plane];
@@ -93,7 +93,7 @@ double face_excess(const ConvexPolytope& polytope, int plane, int loop) {
   return excess;
 }
 
-double roughness(const ConvexPolytope& polytope, const FacetedGeometry& facets) {
+double roughness(const geometry::ConvexPolytope& polytope, const FacetedGeometry& facets) {
   double most = 0;
   for (int f = 0; f < static_cast<int>(polytope.faces.size()); ++f) most = std::max(most, face_excess(polytope, f, f));
   for (const PartEdge& edge : facets.edges)
@@ -161,7 +161,7 @@ int climb(const FacetedGeometry& facets, const Vec3& n) {
   return top;
 }
 
-std::unique_ptr<const FacetedGeometry> facet(const ConvexPolytope& polytope) {
+std::unique_ptr<const FacetedGeometry> facet(const geometry::ConvexPolytope& polytope) {
   auto facets = std::make_unique<FacetedGeometry>();
   facets->polytope = &polytope;
   facets->vertices = columns(polytope.vertices);
@@ -176,7 +176,7 @@ std::unique_ptr<const FacetedGeometry> facet(const ConvexPolytope& polytope) {
   return facets;
 }
 
-Part polytope_part(const ConvexPolytope& polytope, int b, int index) {
+Part polytope_part(const geometry::ConvexPolytope& polytope, int b, int index) {
   Part part;
   part.body = b;
   part.index = index;
@@ -189,17 +189,17 @@ Part polytope_part(const ConvexPolytope& polytope, int b, int index) {
   return part;
 }
 
-Part round_part(const Shape& shape, int b) {
+Part round_part(const geometry::Shape& shape, int b) {
   Part part;
   part.body = b;
   part.radius = shape.radius;
   part.half_height = shape.half_height;
-  if (shape.kind == ShapeKind::plane) {
+  if (shape.kind == geometry::ShapeKind::plane) {
     part.kind = PartKind::plane;
     part.bounding_radius = std::numeric_limits<double>::infinity();
     return part;
   }
-  const bool sphere = shape.kind == ShapeKind::sphere;
+  const bool sphere = shape.kind == geometry::ShapeKind::sphere;
   part.kind = sphere ? PartKind::sphere : PartKind::cylinder;
   part.bounding_radius = sphere ? shape.radius : std::hypot(shape.radius, shape.half_height);
   part.inner_radius = sphere ? shape.radius : std::min(shape.radius, shape.half_height);
@@ -208,11 +208,11 @@ Part round_part(const Shape& shape, int b) {
 
 }  // namespace
 
-std::vector<Part> make_parts(const Bodies& bodies, int b) {
-  const Shape& shape = *bodies.shape[b];
+std::vector<Part> make_parts(const bodies::Bodies& bodies, int b) {
+  const geometry::Shape& shape = *bodies.shape[b];
   std::vector<Part> parts;
-  const bool round =
-      shape.kind == ShapeKind::sphere || shape.kind == ShapeKind::cylinder || shape.kind == ShapeKind::plane;
+  const bool round = shape.kind == geometry::ShapeKind::sphere || shape.kind == geometry::ShapeKind::cylinder ||
+                     shape.kind == geometry::ShapeKind::plane;
   if (round) {
     parts.push_back(round_part(shape, b));
     return parts;
@@ -273,4 +273,4 @@ CylinderSupport cylinder_support(const Part& part, const Vec3& n, double toleran
   return support;
 }
 
-}  // namespace nilas
+}  // namespace nilas::detect

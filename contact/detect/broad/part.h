@@ -11,7 +11,7 @@
 #include "core/bodies/bodies.h"
 #include "core/geometry/shape.h"
 
-namespace nilas {
+namespace nilas::detect {
 
 enum class PartKind { polytope, cylinder, sphere, plane };
 
@@ -39,7 +39,7 @@ class NumberLists {
 
 /// A polytope with one coordinate per column, so that one pass serves all vertices or all faces.
 struct FacetedGeometry {
-  const ConvexPolytope* polytope = nullptr;
+  const geometry::ConvexPolytope* polytope = nullptr;
   Eigen::Array<double, Eigen::Dynamic, 3> vertices;
   Eigen::Array<double, Eigen::Dynamic, 3> normals;
   Eigen::ArrayXd offsets;
@@ -74,7 +74,7 @@ constexpr double k_patch_angle = 5.0 * k_deg;
 constexpr double k_grown_angle = 25.0 * k_deg;
 
 /// Returns the contact parts of body b. The body must keep its shape for as long as the parts live.
-std::vector<Part> make_parts(const Bodies& bodies, int b);
+std::vector<Part> make_parts(const bodies::Bodies& bodies, int b);
 
 /// Returns the largest n . x over the part, for n of any length. Not for planes.
 double extent(const Part& part, const Vec3& n);
@@ -92,4 +92,4 @@ struct CylinderSupport {
 /// [m] count as equal.
 CylinderSupport cylinder_support(const Part& part, const Vec3& n, double tolerance);
 
-}  // namespace nilas
+}  // namespace nilas::detect

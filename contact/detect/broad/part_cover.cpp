@@ -6,7 +6,7 @@
 
 #include "contact/detect/broad/part.h"
 
-namespace nilas {
+namespace nilas::detect {
 
 namespace {
 
@@ -49,7 +49,7 @@ std::pair<Loop, Loop> split(const Loop& loop, const Vec3& n, double offset) {
 /// Adds to `out` the pieces of a convex loop (or, with two points, of a segment) that lie outside the part. The loop
 /// stays whole where the part takes nothing away.
 void subtract(const CoveringPart& part, double tolerance, Loop loop, std::vector<Loop>& out) {
-  const ConvexPolytope& polytope = *part.facets->polytope;
+  const geometry::ConvexPolytope& polytope = *part.facets->polytope;
   const std::size_t before = out.size();
   Loop inside = loop;
   for (std::size_t f = 0; f < polytope.normals.size() && !inside.empty(); ++f) {
@@ -66,7 +66,7 @@ void subtract(const CoveringPart& part, double tolerance, Loop loop, std::vector
 std::vector<Loop> shown(const PartCover& cover, const Loop& loop, const Vec3& n) {
   std::vector<Loop> left{loop}, next;
   for (const CoveringPart& part : cover.parts) {
-    const ConvexPolytope& polytope = *part.facets->polytope;
+    const geometry::ConvexPolytope& polytope = *part.facets->polytope;
     const double top = n.dot(polytope.vertices[support_vertex(*part.facets, n)]);
     if (top <= n.dot(loop.front()) + cover.tolerance) continue;
     next.clear();
@@ -76,7 +76,7 @@ std::vector<Loop> shown(const PartCover& cover, const Loop& loop, const Vec3& n)
   return left;
 }
 
-bool is_hidden_face(const PartCover& cover, const ConvexPolytope& polytope, std::size_t f) {
+bool is_hidden_face(const PartCover& cover, const geometry::ConvexPolytope& polytope, std::size_t f) {
   Loop loop;
   for (const int v : polytope.faces[f]) loop.push_back(polytope.vertices[v]);
   double area = 0;
@@ -84,7 +84,7 @@ bool is_hidden_face(const PartCover& cover, const ConvexPolytope& polytope, std:
   return area <= cover.tolerance * polytope.radius;
 }
 
-bool is_hidden_edge(const PartCover& cover, const ConvexPolytope& polytope, const PartEdge& edge) {
+bool is_hidden_edge(const PartCover& cover, const geometry::ConvexPolytope& polytope, const PartEdge& edge) {
   const Vec3 &n0 = polytope.normals[edge.f0], &n1 = polytope.normals[edge.f1];
   const Loop ends{polytope.vertices[edge.v0], polytope.vertices[edge.v1]};
   for (const double share : {k_beside_face, 0.5, 1 - k_beside_face}) {
@@ -103,7 +103,7 @@ struct Box {
   }
 };
 
-Box box_of(const ConvexPolytope& polytope) {
+Box box_of(const geometry::ConvexPolytope& polytope) {
   Box box{polytope.vertices.front(), polytope.vertices.front()};
   for (const Vec3& v : polytope.vertices) {
     box.low = box.low.cwiseMin(v);
@@ -121,7 +121,7 @@ std::shared_ptr<PartCover> cover_of(const std::vector<Part>& parts, const std::v
       cover->parts.push_back({i, parts[i].facets.get(), parts[i].centre, parts[i].bounding_radius});
   if (cover->parts.empty()) return nullptr;
   const FacetedGeometry& facets = *parts[of].facets;
-  const ConvexPolytope& polytope = *facets.polytope;
+  const geometry::ConvexPolytope& polytope = *facets.polytope;
   for (std::size_t f = 0; f < polytope.faces.size(); ++f)
     cover->face_is_internal.push_back(is_hidden_face(*cover, polytope, f));
   for (const PartEdge& edge : facets.edges) cover->edge_is_internal.push_back(is_hidden_edge(*cover, polytope, edge));
@@ -136,7 +136,7 @@ std::shared_ptr<PartCover> cover_of(const std::vector<Part>& parts, const std::v
 }  // namespace
 
 std::vector<std::vector<Vec3>> shown_pieces(const Part& part, std::size_t face) {
-  const ConvexPolytope& polytope = *part.facets->polytope;
+  const geometry::ConvexPolytope& polytope = *part.facets->polytope;
   Loop loop;
   for (const int v : polytope.faces[face]) loop.push_back(polytope.vertices[v]);
   if (!part.cover) return {loop};
@@ -156,7 +156,7 @@ bool CoveringPart::contains(const Vec3& x, double tolerance) const {
 }
 
 bool CoveringPart::leads_out_within(double depth, const Vec3& x) const {
-  const ConvexPolytope& polytope = *facets->polytope;
+  const geometry::ConvexPolytope& polytope = *facets->polytope;
   for (std::size_t f = 0; f < polytope.normals.size(); ++f) {
     const double distance = polytope.offsets[f] - polytope.normals[f].dot(x);
     if (distance >= depth || own->face_is_internal[f] != 0) continue;
@@ -195,4 +195,4 @@ void cover_each_other(std::vector<Part>& parts) {
   }
 }
 
-}  // namespace nilas
+}  // namespace nilas::detect

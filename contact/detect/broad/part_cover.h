@@ -6,7 +6,7 @@
 
 #include "core/base/math.h"
 
-namespace nilas {
+namespace nilas::detect {
 
 struct FacetedGeometry;
 struct Part;
@@ -54,4 +54,4 @@ std::vector<std::vector<Vec3>> shown_pieces(const Part& part, std::size_t face);
 /// Gives each of a body's parts its cover; parts that stand alone get none.
 void cover_each_other(std::vector<Part>& parts);
 
-}  // namespace nilas
+}  // namespace nilas::detect

@@ -5,11 +5,11 @@
 #include "core/base/order_free_sum.h"
 #include "core/base/parallel.h"
 
-namespace nilas {
+namespace nilas::detect {
 
 namespace {
 
-Vec3 mean_free_velocity(const Bodies& bodies) {
+Vec3 mean_free_velocity(const bodies::Bodies& bodies) {
   OrderFreeVectorSum sum;
   double free = 0;
   for (int b = 0; b < bodies.size(); ++b)
@@ -23,7 +23,7 @@ Vec3 mean_free_velocity(const Bodies& bodies) {
 /// The distances that bodies can reach by themselves and when others push them.
 class Reach {
  public:
-  Reach(const Bodies& bodies, const std::vector<double>& own) : bodies_(bodies), own_(own), pushed_(own) {}
+  Reach(const bodies::Bodies& bodies, const std::vector<double>& own) : bodies_(bodies), own_(own), pushed_(own) {}
 
   /// Hands reach on across a gap in both directions. Returns whether either body gained.
   bool hand_on(int a, int b, double gap) {
@@ -48,22 +48,22 @@ class Reach {
     return true;
   }
 
-  const Bodies& bodies_;
+  const bodies::Bodies& bodies_;
   const std::vector<double>& own_;
   std::vector<double> pushed_;
 };
 
 }  // namespace
 
-std::vector<double> own_reach(const Bodies& bodies, const Wrenches& loads, double h, double share) {
+std::vector<double> own_reach(const bodies::Bodies& bodies, const bodies::Wrenches& loads, double h, double share) {
   const Vec3 mean = mean_free_velocity(bodies);
   std::vector<double> reach(static_cast<std::size_t>(bodies.size()));
   // the radii are read first, in a loop short enough that the reads of many shapes overlap
   for (std::size_t b = 0; b < reach.size(); ++b)
-    reach[b] = bodies.motion[b] == Motion::fixed ? 0 : bodies.shape[b]->bounding_radius;
+    reach[b] = bodies.motion[b] == bodies::Motion::fixed ? 0 : bodies.shape[b]->bounding_radius;
   for (std::size_t b = 0; b < reach.size(); ++b) {
     Vec3 v = bodies.v_GB[b] - mean, w = bodies.w_GB[b];
-    if (bodies.motion[b] == Motion::free) {
+    if (bodies.motion[b] == bodies::Motion::free) {
       const Mat3& R = bodies.R_GB[b];
       v += h / bodies.mass[b] * loads[b].force;
       w += R * (bodies.inertia_inverse_B[b] * (R.transpose() * (h * loads[b].torque)));
@@ -75,7 +75,7 @@ std::vector<double> own_reach(const Bodies& bodies, const Wrenches& loads, doubl
 
 // The repeated relaxation ends in both functions below, because every transfer loses a share of the reach.
 
-std::vector<double> pair_margins(const Bodies& bodies, const std::vector<double>& own,
+std::vector<double> pair_margins(const bodies::Bodies& bodies, const std::vector<double>& own,
                                  const std::vector<PartPair>& pairs, double least, double most, int threads) {
   Reach reach(bodies, own);
   for (bool changed = true; changed;) {
@@ -91,7 +91,7 @@ std::vector<double> pair_margins(const Bodies& bodies, const std::vector<double>
   return margins;
 }
 
-void drop_out_of_reach(const Bodies& bodies, const std::vector<double>& own, std::vector<ContactPoint>& points,
+void drop_out_of_reach(const bodies::Bodies& bodies, const std::vector<double>& own, std::vector<ContactPoint>& points,
                        double margin) {
   Reach reach(bodies, own);
   for (bool changed = true; changed;) {
@@ -102,4 +102,4 @@ void drop_out_of_reach(const Bodies& bodies, const std::vector<double>& own, std
       points, [&](const ContactPoint& c) { return c.gap > 0 && c.gap >= margin && c.gap >= reach.between(c.a, c.b); });
 }
 
-}  // namespace nilas
+}  // namespace nilas::detect

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace nilas {
+namespace nilas::detect {
 
 using TreeNode = fcl::detail::NodeBase<fcl::AABBd>;
 
@@ -78,4 +78,4 @@ inline std::vector<NodePair> cut_into_pieces(const TreeNode* root, std::size_t w
   return pieces;
 }
 
-}  // namespace nilas
+}  // namespace nilas::detect

@@ -5,7 +5,7 @@
 #include "contact/detect/surface/edge_axes.h"
 #include "contact/detect/surface/manifold.h"
 
-namespace nilas {
+namespace nilas::detect {
 
 namespace {
 
@@ -71,8 +71,8 @@ double reach_inside(const FacetedGeometry& facets, const Vec3& x, const Vec3& d)
 }
 
 bool crossing_is_proven(const PairView& pair, const Axis& axis) {
-  const ConvexPolytope& a = *pair.a.facets->polytope;
-  const ConvexPolytope& b = *pair.b.facets->polytope;
+  const geometry::ConvexPolytope& a = *pair.a.facets->polytope;
+  const geometry::ConvexPolytope& b = *pair.b.facets->polytope;
   const PartEdge& edge_a = pair.a.facets->edges[axis.feature_a];
   const PartEdge& edge_b = pair.b.facets->edges[axis.feature_b];
   const Vec3 along_b = pair.b_in_a.R * edge_b.along;
@@ -106,4 +106,4 @@ bool is_proven(const PairView& pair, const Axis& axis, const FacingSurfaces& fac
   }
 }
 
-}  // namespace nilas
+}  // namespace nilas::detect

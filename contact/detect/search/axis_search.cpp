@@ -9,7 +9,7 @@
 #include "contact/detect/surface/face_axes.h"
 #include "core/base/order_free_sum.h"
 
-namespace nilas {
+namespace nilas::detect {
 
 namespace {
 
@@ -209,4 +209,4 @@ Axis find_axis(const PairView& pair, const RememberedAxis& remembered, FclShapes
   return AxisSearch(pair, room, counts).find(remembered, fcl, ask_first);
 }
 
-}  // namespace nilas
+}  // namespace nilas::detect

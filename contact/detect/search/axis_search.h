@@ -4,7 +4,7 @@
 #include "contact/detect/surface/edge_axes.h"
 #include "contact/detect/surface/manifold.h"
 
-namespace nilas {
+namespace nilas::detect {
 
 struct AxisSearchCounts {
   int fcl_queries = 0;  ///< pairs for which FCL was asked
@@ -46,4 +46,4 @@ struct RememberedAxis {
 Axis find_axis(const PairView& pair, const RememberedAxis& remembered, FclShapes& fcl, bool ask_first,
                AxisSearchRoom& room, AxisSearchCounts& counts);
 
-}  // namespace nilas
+}  // namespace nilas::detect

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace nilas {
+namespace nilas::detect {
 
 namespace {
 
@@ -15,7 +15,7 @@ int number_of(const Feature& feature) {
 /// Returns where the segment from x, outside, to y, inside, enters the part inflated by `tolerance`, as a share of the
 /// segment [-].
 double entry(const CoveringPart& part, const Vec3& x, const Vec3& y, double tolerance) {
-  const ConvexPolytope& polytope = *part.facets->polytope;
+  const geometry::ConvexPolytope& polytope = *part.facets->polytope;
   double t = 0;
   for (std::size_t f = 0; f < polytope.normals.size(); ++f) {
     const double above = polytope.normals[f].dot(x) - polytope.offsets[f] - tolerance;
@@ -126,4 +126,4 @@ void drop_internal_features(const CoveredSide& side, FacingSurfaces& facing) {
   });
 }
 
-}  // namespace nilas
+}  // namespace nilas::detect

@@ -2,7 +2,7 @@
 /// Cuts contact points of parts that are pieces of larger bodies back to the surface of those bodies.
 #include "contact/detect/surface/manifold.h"
 
-namespace nilas {
+namespace nilas::detect {
 
 /// One part of a pair, where it touches others of its body.
 struct CoveredSide {
@@ -31,4 +31,4 @@ void drop_dominated(const CoveredSide& side, FacingSurfaces& facing);
 /// common area with the other body ends at points of other parts.
 void drop_internal_features(const CoveredSide& side, FacingSurfaces& facing);
 
-}  // namespace nilas
+}  // namespace nilas::detect

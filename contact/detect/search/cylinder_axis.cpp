@@ -8,7 +8,7 @@
 #include "contact/detect/surface/face_axes.h"
 #include "contact/detect/surface/nearest_point.h"
 
-namespace nilas {
+namespace nilas::detect {
 
 namespace {
 
@@ -221,4 +221,4 @@ Axis find_cylinder_axis(const PairView& pair, const RememberedAxis& remembered, 
   return CylinderSearch(pair, room, counts).find(remembered, fcl, ask_first);
 }
 
-}  // namespace nilas
+}  // namespace nilas::detect

@@ -13,7 +13,7 @@
 #include <mutex>
 #include <tuple>
 
-namespace nilas {
+namespace nilas::detect {
 
 namespace {
 
@@ -22,7 +22,7 @@ using Geometry = std::shared_ptr<const fcl::CollisionGeometryd>;
 constexpr double k_tolerance = 1e-10;  // [-] of the smaller part's radius, which is 1 to 2 in the query
 
 std::shared_ptr<const fcl::CollisionGeometryd> convex_geometry(const Part& part, double scale) {
-  const ConvexPolytope& polytope = *part.facets->polytope;
+  const geometry::ConvexPolytope& polytope = *part.facets->polytope;
   auto vertices = std::make_shared<std::vector<Vec3>>();
   for (const Vec3& v : polytope.vertices) vertices->push_back(scale * (v - part.centre));
   auto faces = std::make_shared<std::vector<int>>();
@@ -198,4 +198,4 @@ std::vector<FclContact> FclShapes::plane_contacts(const Part& guest, const Relat
   return contacts;
 }
 
-}  // namespace nilas
+}  // namespace nilas::detect

@@ -6,7 +6,7 @@
 
 #include "contact/detect/broad/pair_view.h"
 
-namespace nilas {
+namespace nilas::detect {
 
 /// One contact as FCL gives it, in A's frame.
 struct FclContact {
@@ -44,4 +44,4 @@ class FclShapes {
   std::unique_ptr<Store> store_;
 };
 
-}  // namespace nilas
+}  // namespace nilas::detect

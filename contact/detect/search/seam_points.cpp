@@ -7,7 +7,7 @@
 #include "contact/detect/surface/point_reduction.h"
 #include "contact/detect/surface/surface_patch.h"
 
-namespace nilas {
+namespace nilas::detect {
 
 namespace {
 
@@ -20,7 +20,7 @@ bool same_parts(const ContactPoint& p, const ContactPoint& q) { return p.part_a 
 
 class SeamJoin {
  public:
-  SeamJoin(const Bodies& bodies, double touching, double margin, ContactPoint* first, ContactPoint* last)
+  SeamJoin(const bodies::Bodies& bodies, double touching, double margin, ContactPoint* first, ContactPoint* last)
       : bodies_(bodies), touching_(touching), margin_(margin), first_(first), count_(last - first) {
     dropped_.assign(static_cast<std::size_t>(count_), 0);
   }
@@ -72,7 +72,7 @@ class SeamJoin {
         dropped_[k] = 1;
   }
 
-  const Bodies& bodies_;
+  const bodies::Bodies& bodies_;
   double touching_, margin_;
   ContactPoint* first_;
   std::ptrdiff_t count_;
@@ -81,7 +81,7 @@ class SeamJoin {
 
 }  // namespace
 
-void join_at_seams(const Bodies& bodies, double touching, double margin, std::size_t first,
+void join_at_seams(const bodies::Bodies& bodies, double touching, double margin, std::size_t first,
                    std::vector<ContactPoint>& points) {
   if (points.size() < first + 2 || same_parts(points[first], points.back())) return;
   SeamJoin join(bodies, touching, margin, points.data() + first, points.data() + points.size());
@@ -92,4 +92,4 @@ void join_at_seams(const Bodies& bodies, double touching, double margin, std::si
                points.end());
 }
 
-}  // namespace nilas
+}  // namespace nilas::detect

@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-namespace nilas {
+namespace nilas::detect {
 
 namespace {
 
@@ -133,4 +133,4 @@ RoundAxis climb_between_rims(const RoundBody& a, const RoundBody& b, const Vec3&
   return at;
 }
 
-}  // namespace nilas
+}  // namespace nilas::detect

@@ -2,7 +2,7 @@
 /// Finds the best axis of two cylinders where their rims make it.
 #include "contact/detect/surface/round_axes.h"
 
-namespace nilas {
+namespace nilas::detect {
 
 /// Returns the direction that separates b most from a, to `tolerance` [m]. Returns `start` where none separates by more
 /// than `start` does.
@@ -12,4 +12,4 @@ RoundAxis best_of_all_directions(const RoundBody& a, const RoundBody& b, const R
 /// where the rims make it.
 RoundAxis climb_between_rims(const RoundBody& a, const RoundBody& b, const Vec3& n);
 
-}  // namespace nilas
+}  // namespace nilas::detect

@@ -8,7 +8,7 @@
 #include "contact/detect/surface/face_axes.h"
 #include "core/base/order_free_sum.h"
 
-namespace nilas {
+namespace nilas::detect {
 
 namespace {
 
@@ -106,7 +106,7 @@ class WayOut {
   }
 
   static bool leads_out_within(double depth, const Part& part, const Vec3& x) {
-    const ConvexPolytope& polytope = *part.facets->polytope;
+    const geometry::ConvexPolytope& polytope = *part.facets->polytope;
     for (std::size_t f = 0; f < polytope.normals.size(); ++f) {
       const Vec3& n = polytope.normals[f];
       const double distance = polytope.offsets[f] - n.dot(x);
@@ -192,4 +192,4 @@ bool find_way_out(const PairView& pair, AxisSearchRoom& room, Axis& axis, bool a
   return way.search(axis);
 }
 
-}  // namespace nilas
+}  // namespace nilas::detect

@@ -3,7 +3,7 @@
 /// does not serve.
 #include "contact/detect/search/axis_search.h"
 
-namespace nilas {
+namespace nilas::detect {
 
 /// Replaces `axis` where it does not lead out of both whole bodies. On entry it is the best axis of the two parts by
 /// themselves, within the margin, and room.facing holds the surfaces along it. The replacement is the best of the
@@ -13,4 +13,4 @@ namespace nilas {
 /// two bodies has any.
 bool find_way_out(const PairView& pair, AxisSearchRoom& room, Axis& axis, bool alone);
 
-}  // namespace nilas
+}  // namespace nilas::detect

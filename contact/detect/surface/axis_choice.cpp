@@ -4,7 +4,7 @@
 #include <cmath>
 #include <tuple>
 
-namespace nilas {
+namespace nilas::detect {
 
 namespace {
 
@@ -36,4 +36,4 @@ Axis AxisContest::winner() {
                            [&](const Axis& a, const Axis& b) { return rank(a) < rank(b); });
 }
 
-}  // namespace nilas
+}  // namespace nilas::detect

@@ -7,7 +7,7 @@
 
 #include "contact/detect/broad/pair_view.h"
 
-namespace nilas {
+namespace nilas::detect {
 
 /// Relative difference below which two alignments count as equal.
 constexpr double k_alignment_tie = 1e-9;
@@ -39,4 +39,4 @@ class AxisContest {
   double highest_ = -std::numeric_limits<double>::infinity();
 };
 
-}  // namespace nilas
+}  // namespace nilas::detect

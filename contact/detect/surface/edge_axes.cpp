@@ -7,7 +7,7 @@
 
 #include "contact/detect/surface/axis_choice.h"
 
-namespace nilas {
+namespace nilas::detect {
 
 namespace {
 
@@ -17,7 +17,7 @@ constexpr double k_parallel_sine = 1e-12;
 
 EdgeInA own_edge(const FacetedGeometry& facets, int e) {
   const PartEdge& edge = facets.edges[e];
-  const ConvexPolytope& polytope = *facets.polytope;
+  const geometry::ConvexPolytope& polytope = *facets.polytope;
   return {e,           polytope.vertices[edge.v0], edge.along,
           edge.middle, polytope.normals[edge.f0],  polytope.normals[edge.f1],
           edge.arc};
@@ -205,4 +205,4 @@ NearestOnSegments nearest_on_segments(const Vec3& p0, const Vec3& d0, const Vec3
   return nearest_between(p0, d0, p1, d1, 0);
 }
 
-}  // namespace nilas
+}  // namespace nilas::detect

@@ -5,7 +5,7 @@
 
 #include "contact/detect/broad/pair_view.h"
 
-namespace nilas {
+namespace nilas::detect {
 
 /// An edge in A's frame.
 struct EdgeInA {
@@ -55,4 +55,4 @@ struct NearestOnSegments {
 };
 NearestOnSegments nearest_on_segments(const Vec3& p0, const Vec3& d0, const Vec3& p1, const Vec3& d1);
 
-}  // namespace nilas
+}  // namespace nilas::detect

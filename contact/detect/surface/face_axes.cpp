@@ -5,7 +5,7 @@
 
 #include "contact/detect/surface/axis_choice.h"
 
-namespace nilas {
+namespace nilas::detect {
 
 namespace {
 
@@ -130,4 +130,4 @@ Axis best_face_axis(const PairView& pair, double enough, std::vector<Axis>& room
   return contest.winner();
 }
 
-}  // namespace nilas
+}  // namespace nilas::detect

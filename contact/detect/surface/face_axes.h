@@ -4,7 +4,7 @@
 
 #include "contact/detect/broad/pair_view.h"
 
-namespace nilas {
+namespace nilas::detect {
 
 /// Returns the best axis over all face normals of both polytopes, exactly. s is -infinity when there are none, as for a
 /// cylinder or sphere. Stops at the first axis with s > `enough` [m]. Some face is known to separate by at least
@@ -15,4 +15,4 @@ Axis best_face_axis(const PairView& pair, double enough, std::vector<Axis>& room
 /// The axis of one face: of A for kind face_a, of B for face_b.
 Axis face_axis(const PairView& pair, AxisKind kind, int face);
 
-}  // namespace nilas
+}  // namespace nilas::detect

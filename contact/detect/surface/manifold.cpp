@@ -8,7 +8,7 @@
 #include "contact/detect/surface/edge_axes.h"
 #include "contact/detect/surface/point_reduction.h"
 
-namespace nilas {
+namespace nilas::detect {
 
 namespace {
 
@@ -197,4 +197,4 @@ std::size_t select_points(const PairView& pair, const Axis& axis, std::span<cons
   return keep_spread_points(pair.tolerance, pair.margin, cover, points, last);
 }
 
-}  // namespace nilas
+}  // namespace nilas::detect

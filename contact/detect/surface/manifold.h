@@ -7,7 +7,7 @@
 #include "contact/detect/surface/overlay.h"
 #include "contact/detect/surface/surface_patch.h"
 
-namespace nilas {
+namespace nilas::detect {
 
 /// The surfaces that two parts show each other along an axis, laid over each other. The object is kept between pairs
 /// for its storage.
@@ -39,4 +39,4 @@ bool is_proven(const PairView& pair, const Axis& axis, const FacingSurfaces& fac
 std::size_t select_points(const PairView& pair, const Axis& axis, std::span<const Feature> last,
                           FacingSurfaces& facing);
 
-}  // namespace nilas
+}  // namespace nilas::detect

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace nilas {
+namespace nilas::detect {
 
 namespace {
 
@@ -54,7 +54,7 @@ NearestPoint on_edge(const FacetedGeometry& facets, int e, const Vec3& x) {
   return nearest;
 }
 
-bool projects_inside(const ConvexPolytope& polytope, int face, const Vec3& x) {
+bool projects_inside(const geometry::ConvexPolytope& polytope, int face, const Vec3& x) {
   const auto& loop = polytope.faces[face];
   for (std::size_t k = 0; k < loop.size(); ++k) {
     const Vec3& p = polytope.vertices[loop[k]];
@@ -66,7 +66,7 @@ bool projects_inside(const ConvexPolytope& polytope, int face, const Vec3& x) {
 
 /// Returns the nearest point for x outside the polytope. Only the faces that x can see count.
 NearestPoint outside_polytope(const FacetedGeometry& facets, const Eigen::ArrayXd& heights, const Vec3& x) {
-  const ConvexPolytope& polytope = *facets.polytope;
+  const geometry::ConvexPolytope& polytope = *facets.polytope;
   NearestPoint best;
   best.distance = std::numeric_limits<double>::infinity();
   for (int f = 0; f < static_cast<int>(heights.size()); ++f) {
@@ -106,4 +106,4 @@ NearestPoint nearest_point(const Part& part, const Vec3& x) {
   }
 }
 
-}  // namespace nilas
+}  // namespace nilas::detect

@@ -3,7 +3,7 @@
 #include "contact/detect/broad/contact_key.h"
 #include "contact/detect/broad/part.h"
 
-namespace nilas {
+namespace nilas::detect {
 
 struct NearestPoint {
   Vec3 point = Vec3::Zero();    ///< point on the surface, in the part's frame
@@ -16,4 +16,4 @@ struct NearestPoint {
 /// nearest face (cap, side).
 NearestPoint nearest_point(const Part& part, const Vec3& x);
 
-}  // namespace nilas
+}  // namespace nilas::detect

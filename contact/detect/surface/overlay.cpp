@@ -5,7 +5,7 @@
 #include <limits>
 #include <tuple>
 
-namespace nilas {
+namespace nilas::detect {
 
 namespace {
 
@@ -208,4 +208,4 @@ void clip(const SurfaceLoop& loop_a, const SurfaceLoop& loop_b, bool a_is_window
   }
 }
 
-}  // namespace nilas
+}  // namespace nilas::detect

@@ -5,7 +5,7 @@
 #include "contact/detect/broad/contact_key.h"
 #include "core/base/math.h"
 
-namespace nilas {
+namespace nilas::detect {
 
 /// Corner of a polygon in the contact plane.
 struct LoopCorner {
@@ -57,4 +57,4 @@ struct ClipBuffers {
 void clip(const SurfaceLoop& loop_a, const SurfaceLoop& loop_b, bool a_is_window, double tolerance,
           ClipBuffers& buffers, std::vector<OverlayPoint>& points);
 
-}  // namespace nilas
+}  // namespace nilas::detect

@@ -7,9 +7,9 @@
 #include "contact/detect/broad/part.h"
 #include "contact/detect/surface/point_reduction.h"
 
-namespace nilas {
+namespace nilas::detect {
 
-inline std::uint64_t pair_key(const Bodies& bodies, const Part& a, const Part& b) {
+inline std::uint64_t pair_key(const bodies::Bodies& bodies, const Part& a, const Part& b) {
   std::uint64_t key = mix(0, static_cast<std::uint64_t>(bodies.id[a.body]));
   key = mix(key, static_cast<std::uint64_t>(a.index));
   key = mix(key, static_cast<std::uint64_t>(bodies.id[b.body]));
@@ -33,4 +33,4 @@ void remember(const std::vector<AnyPoint>& points, std::size_t count, std::vecto
   for (std::size_t k = 0; k < count; ++k) kept.push_back(points[k].feature);
 }
 
-}  // namespace nilas
+}  // namespace nilas::detect

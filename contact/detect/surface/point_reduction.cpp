@@ -9,7 +9,7 @@
 
 #include "core/base/order_free_sum.h"
 
-namespace nilas {
+namespace nilas::detect {
 
 namespace {
 
@@ -337,4 +337,4 @@ std::size_t keep_spread_points(double tolerance, double margin, double cover, Po
   return kept;
 }
 
-}  // namespace nilas
+}  // namespace nilas::detect

@@ -6,7 +6,7 @@
 
 #include "contact/detect/surface/overlay.h"
 
-namespace nilas {
+namespace nilas::detect {
 
 /// Number of well-spread points of a pair ...
 constexpr std::size_t k_spread_points = 4;
@@ -46,4 +46,4 @@ constexpr double k_kept_depth = 1e-3;
 std::size_t keep_spread_points(double tolerance, double margin, double cover, std::vector<OverlayPoint>& points,
                                std::span<const Feature> last = {});
 
-}  // namespace nilas
+}  // namespace nilas::detect

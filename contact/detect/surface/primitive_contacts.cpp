@@ -6,7 +6,7 @@
 #include "contact/detect/surface/nearest_point.h"
 #include "contact/detect/surface/point_reduction.h"
 
-namespace nilas {
+namespace nilas::detect {
 
 namespace {
 
@@ -78,4 +78,4 @@ void sphere_contacts(const HostView& view, std::vector<LocalContact>& out) {
   out.push_back({nearest.point + 0.5 * gap * nearest.normal, nearest.normal, gap, nearest.feature});
 }
 
-}  // namespace nilas
+}  // namespace nilas::detect

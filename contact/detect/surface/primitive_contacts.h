@@ -6,7 +6,7 @@
 #include "contact/detect/broad/contact_key.h"
 #include "contact/detect/broad/pair_view.h"
 
-namespace nilas {
+namespace nilas::detect {
 
 /// A contact point in the frame of one of the parts, its host.
 struct LocalContact {
@@ -32,4 +32,4 @@ void plane_contacts(const HostView& view, std::vector<LocalContact>& out);
 /// nearest surface point to the sphere's centre. With the centre inside, it lies along the shortest exit.
 void sphere_contacts(const HostView& view, std::vector<LocalContact>& out);
 
-}  // namespace nilas
+}  // namespace nilas::detect

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-namespace nilas {
+namespace nilas::detect {
 
 namespace {
 
@@ -122,4 +122,4 @@ RoundAxis best_over_arc(const Arc& arc, const Vec3& p, const RoundBody& body) {
   return best;
 }
 
-}  // namespace nilas
+}  // namespace nilas::detect

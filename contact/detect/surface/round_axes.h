@@ -2,7 +2,7 @@
 /// Finds axes that a cylinder's rim makes with an edge.
 #include "core/base/math.h"
 
-namespace nilas {
+namespace nilas::detect {
 
 /// A cylinder in some frame.
 struct RoundBody {
@@ -31,4 +31,4 @@ double most_over_arc(const Arc& arc, const Vec3& p, double inner_radius, const R
 /// Returns the direction of the arc that separates `body` most from the point p.
 RoundAxis best_over_arc(const Arc& arc, const Vec3& p, const RoundBody& body);
 
-}  // namespace nilas
+}  // namespace nilas::detect

@@ -6,7 +6,7 @@
 
 #include "contact/detect/surface/axis_choice.h"
 
-namespace nilas {
+namespace nilas::detect {
 
 namespace {
 
@@ -99,7 +99,7 @@ void collect_faces(const PatchView& view, const Vec3& direction, double toleranc
 void show_polytope(const PatchView& view, const Projection& projection, double tolerance, SurfacePatch& patch) {
   collect_faces(view, view.sign * projection.h, tolerance, patch);
   const FacetedGeometry& facets = *view.part.facets;
-  const ConvexPolytope& polytope = *facets.polytope;
+  const geometry::ConvexPolytope& polytope = *facets.polytope;
   for (int f : patch.faces) {
     SurfaceLoop& loop = patch.add();
     projection.set_plane(polytope.normals[f], polytope.offsets[f], loop);
@@ -171,4 +171,4 @@ void show_surface(const PatchView& view, const ContactPlane& plane, double toler
     show_cylinder(view, projection, patch);
 }
 
-}  // namespace nilas
+}  // namespace nilas::detect

@@ -5,7 +5,7 @@
 #include "contact/detect/broad/pair_view.h"
 #include "contact/detect/surface/overlay.h"
 
-namespace nilas {
+namespace nilas::detect {
 
 /// Right-handed axes of a contact in A's frame: normal from A to B and two tangents.
 struct ContactPlane {
@@ -49,4 +49,4 @@ struct PatchView {
 /// Cylinder: its cap, its line of contact, or its rim point. Faces seen from the side (beyond 85 degrees) are left out.
 void show_surface(const PatchView& view, const ContactPlane& plane, double tolerance, SurfacePatch& patch);
 
-}  // namespace nilas
+}  // namespace nilas::detect

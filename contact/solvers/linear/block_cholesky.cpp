@@ -3,7 +3,7 @@
 #include "contact/problem/inverse_root.h"
 #include "contact/problem/row_of.h"
 
-namespace nilas {
+namespace nilas::solvers {
 
 BlockCholesky::BlockCholesky(const Eigen::SparseMatrix<double>& a) : a_(a) {
   const int* const outer = a.outerIndexPtr();
@@ -13,7 +13,7 @@ BlockCholesky::BlockCholesky(const Eigen::SparseMatrix<double>& a) : a_(a) {
     row_start_.push_back(static_cast<int>(column_.size()));
   }
   value_.resize(column_.size());
-  fill_ = block_fill(row_start_, column_);
+  fill_ = contact::block_fill(row_start_, column_);
   const std::size_t n = fill_.size();
   upper_block_.resize(fill_.upper.columns.size());
   inverse_root_.resize(n);
@@ -53,12 +53,12 @@ bool BlockCholesky::keep_row(int i) {
   const int n = fill_.size();
   if (i >= fill_.tail) {
     for (int j = i; j < n; ++j) {
-      dense_.block<3, 3>(row_of(i - fill_.tail), row_of(j - fill_.tail)) = row_[j].matrix();
+      dense_.block<3, 3>(contact::row_of(i - fill_.tail), contact::row_of(j - fill_.tail)) = row_[j].matrix();
       row_[j] = {};
     }
     return true;
   }
-  const Mat3 root = inverse_root(row_[i].matrix());
+  const Mat3 root = contact::inverse_root(row_[i].matrix());
   row_[i] = {};
   inverse_root_[i] = PaddedBlock(root);
   PaddedBlock* kept = upper_block_.data() + fill_.upper.first(i);
@@ -73,7 +73,7 @@ bool BlockCholesky::factor(const std::vector<Mat3>& inverse, const std::vector<M
   set_values(inverse, added);
   const int n = fill_.size();
   next_.assign(fill_.upper.start.begin(), fill_.upper.start.end() - 1);
-  dense_.resize(row_of(n - fill_.tail), row_of(n - fill_.tail));
+  dense_.resize(contact::row_of(n - fill_.tail), contact::row_of(n - fill_.tail));
   for (int i = 0; i < n; ++i) {
     eliminate(i);
     if (!keep_row(i)) return false;
@@ -85,23 +85,24 @@ bool BlockCholesky::factor(const std::vector<Mat3>& inverse, const std::vector<M
 
 VecX BlockCholesky::solve_unrefined(const VecX& b) const {
   const int n = fill_.size(), tail = fill_.tail;
-  VecX y(row_of(n));
-  for (int i = 0; i < n; ++i) y.segment<3>(row_of(i)) = b.segment<3>(row_of(fill_.source[i]));
+  VecX y(contact::row_of(n));
+  for (int i = 0; i < n; ++i) y.segment<3>(contact::row_of(i)) = b.segment<3>(contact::row_of(fill_.source[i]));
   for (int i = 0; i < tail; ++i) {
-    const Vec3 scaled = inverse_root_[i].matrix() * y.segment<3>(row_of(i));
-    y.segment<3>(row_of(i)) = scaled;
+    const Vec3 scaled = inverse_root_[i].matrix() * y.segment<3>(contact::row_of(i));
+    y.segment<3>(contact::row_of(i)) = scaled;
     const PaddedBlock* block = upper_block_.data() + fill_.upper.first(i);
-    for (const int j : fill_.upper[i]) y.segment<3>(row_of(j)).noalias() -= (block++)->matrix().transpose() * scaled;
+    for (const int j : fill_.upper[i])
+      y.segment<3>(contact::row_of(j)).noalias() -= (block++)->matrix().transpose() * scaled;
   }
-  if (tail < n) y.tail(row_of(n - tail)) = dense_factor_.solve(y.tail(row_of(n - tail))).eval();
+  if (tail < n) y.tail(contact::row_of(n - tail)) = dense_factor_.solve(y.tail(contact::row_of(n - tail))).eval();
   for (int i = tail - 1; i >= 0; --i) {
-    Vec3 sum = y.segment<3>(row_of(i));
+    Vec3 sum = y.segment<3>(contact::row_of(i));
     const PaddedBlock* block = upper_block_.data() + fill_.upper.first(i);
-    for (const int j : fill_.upper[i]) sum.noalias() -= (block++)->matrix() * y.segment<3>(row_of(j));
-    y.segment<3>(row_of(i)) = inverse_root_[i].matrix().transpose() * sum;
+    for (const int j : fill_.upper[i]) sum.noalias() -= (block++)->matrix() * y.segment<3>(contact::row_of(j));
+    y.segment<3>(contact::row_of(i)) = inverse_root_[i].matrix().transpose() * sum;
   }
-  VecX x(row_of(n));
-  for (int i = 0; i < n; ++i) x.segment<3>(row_of(fill_.source[i])) = y.segment<3>(row_of(i));
+  VecX x(contact::row_of(n));
+  for (int i = 0; i < n; ++i) x.segment<3>(contact::row_of(fill_.source[i])) = y.segment<3>(contact::row_of(i));
   return x;
 }
 
@@ -110,7 +111,7 @@ VecX BlockCholesky::times(const VecX& y) const {
   for (Eigen::Index i = 0; i < y.size() / 3; ++i) {
     Vec3 sum = Vec3::Zero();
     for (int k = row_start_[i]; k < row_start_[i + 1]; ++k)
-      sum.noalias() += value_[k] * y.segment<3>(row_of(column_[k]));
+      sum.noalias() += value_[k] * y.segment<3>(contact::row_of(column_[k]));
     out.segment<3>(3 * i) = sum;
   }
   return out;
@@ -121,4 +122,4 @@ VecX BlockCholesky::solve(const VecX& b) const {
   return y + solve_unrefined(b - times(y));
 }
 
-}  // namespace nilas
+}  // namespace nilas::solvers

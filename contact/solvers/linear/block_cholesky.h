@@ -16,7 +16,7 @@
 #include "contact/problem/block_fill.h"
 #include "contact/solvers/linear/padded_block.h"
 
-namespace nilas {
+namespace nilas::solvers {
 
 class BlockCholesky {
  public:
@@ -37,7 +37,7 @@ class BlockCholesky {
   const Eigen::SparseMatrix<double>& a_;
   std::vector<int> row_start_, column_;  ///< pattern of the blocks, row by row
   std::vector<Mat3> value_;              ///< values of the matrix to factorise, in that order
-  BlockFill fill_;
+  contact::BlockFill fill_;
   std::vector<PaddedBlock> upper_block_;   ///< V right of the diagonal, in the order of the fill
   std::vector<PaddedBlock> inverse_root_;  ///< inverse of V's diagonal blocks, transposed
   std::vector<std::size_t> next_;          ///< first block of each row of V that is not yet used as a factor
@@ -46,4 +46,4 @@ class BlockCholesky {
   Eigen::LLT<MatX, Eigen::Upper> dense_factor_;
 };
 
-}  // namespace nilas
+}  // namespace nilas::solvers

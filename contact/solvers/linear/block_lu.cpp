@@ -1,6 +1,6 @@
 #include "contact/solvers/linear/block_lu.h"
 
-namespace nilas {
+namespace nilas::solvers {
 
 static void add(const Mat3& m, PaddedBlock& to) { to = PaddedBlock(to.matrix() + m); }
 
@@ -8,7 +8,7 @@ void BlockLu::analyse(const std::vector<int>& row_start, const std::vector<int>&
   if (row_start == row_start_ && column == column_) return;
   row_start_ = row_start;
   column_ = column;
-  fill_ = block_fill(row_start, column);
+  fill_ = contact::block_fill(row_start, column);
   upper_block_.resize(fill_.upper.columns.size());
   lower_block_.resize(fill_.lower.columns.size());
   pivot_inverse_.resize(fill_.size());
@@ -79,4 +79,4 @@ void BlockLu::solve(VecX& x) const {
   for (int i = 0; i < n; ++i) x.segment<3>(3 * fill_.source[i]) = y.segment<3>(3 * i);
 }
 
-}  // namespace nilas
+}  // namespace nilas::solvers

@@ -13,7 +13,7 @@
 #include "contact/problem/block_fill.h"
 #include "contact/solvers/linear/padded_block.h"
 
-namespace nilas {
+namespace nilas::solvers {
 
 class BlockLu {
  public:
@@ -31,7 +31,7 @@ class BlockLu {
   bool factorise_tail();
 
   std::vector<int> row_start_, column_;  ///< pattern as given
-  BlockFill fill_;
+  contact::BlockFill fill_;
   std::vector<PaddedBlock> upper_block_, lower_block_;  ///< blocks beyond the diagonal, in the order of the fill
   std::vector<PaddedBlock> pivot_inverse_;
   std::vector<PaddedBlock> row_;  ///< the row that is eliminated, scattered
@@ -39,4 +39,4 @@ class BlockLu {
   Eigen::PartialPivLU<MatX> dense_lu_;
 };
 
-}  // namespace nilas
+}  // namespace nilas::solvers

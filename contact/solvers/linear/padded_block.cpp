@@ -2,7 +2,7 @@
 
 #include <cstring>
 
-namespace nilas {
+namespace nilas::solvers {
 
 namespace {
 
@@ -44,4 +44,4 @@ NILAS_WIDE_CLONES void subtract_products(const PaddedBlock& factor, const Padded
   }
 }
 
-}  // namespace nilas
+}  // namespace nilas::solvers

@@ -4,7 +4,7 @@
 
 #include "core/base/math.h"
 
-namespace nilas {
+namespace nilas::solvers {
 
 /// A 3 x 3 block by columns, each padded to four numbers so that it fills whole registers. The pads stay zero.
 struct alignas(32) PaddedBlock {
@@ -26,4 +26,4 @@ PaddedBlock product(const PaddedBlock& a, const PaddedBlock& b);
 void subtract_products(const PaddedBlock& factor, const PaddedBlock* blocks, const int* columns, std::size_t count,
                        PaddedBlock* row);
 
-}  // namespace nilas
+}  // namespace nilas::solvers

@@ -5,7 +5,7 @@
 
 #include "contact/problem/row_of.h"
 
-namespace nilas {
+namespace nilas::solvers {
 
 namespace {
 
@@ -23,7 +23,7 @@ VecX slopes(const MassScaled& problem) {
   VecX slope(3 * problem.num_contacts());
   for (int a = 0; a < problem.num_contacts(); ++a) {
     const double mu = problem.mu[a];
-    slope.segment<3>(row_of(a)) = mu > 1 ? Vec3(1 / mu, 1, 1) : Vec3(1, mu, mu);
+    slope.segment<3>(contact::row_of(a)) = mu > 1 ? Vec3(1 / mu, 1, 1) : Vec3(1, mu, mu);
   }
   return slope;
 }
@@ -32,7 +32,7 @@ VecX slopes(const MassScaled& problem) {
 VecX caps(const MassScaled& problem, const VecX& slope) {
   const double least = k_least_cap * problem.q.cwiseAbs().maxCoeff();
   VecX cap(problem.num_contacts());
-  for (int a = 0; a < problem.num_contacts(); ++a) cap[a] = std::max(problem.cap[a], least) / slope[row_of(a)];
+  for (int a = 0; a < problem.num_contacts(); ++a) cap[a] = std::max(problem.cap[a], least) / slope[contact::row_of(a)];
   return cap;
 }
 
@@ -40,7 +40,7 @@ VecX caps(const MassScaled& problem, const VecX& slope) {
 void keep_inside(Eigen::Ref<VecX> x, const VecX& fallback) {
   constexpr double hair = 4e-16;
   for (Eigen::Index i = 0; i < x.size(); i += 3) {
-    const double t = tangential_norm(x.segment<3>(i));
+    const double t = contact::tangential_norm(x.segment<3>(i));
     if (x[i] <= t * (1 + hair)) x[i] = t * (1 + 2 * hair);
     if (!(x[i] > 0)) x.segment<3>(i) = 0.01 * fallback.segment<3>(i);
   }
@@ -62,10 +62,10 @@ InteriorIterate InteriorPoint::cold_start(const VecX& b) const {
   const double size = std::max(b.cwiseAbs().maxCoeff(), std::numeric_limits<double>::min());
   InteriorIterate start{VecX::Zero(3 * nc), VecX::Zero(3 * nc), VecX::Ones(nc), VecX::Zero(nc)};
   for (int a = 0; a < nc; ++a) {
-    start.x[row_of(a)] = start.z[row_of(a)] = size;
+    start.x[contact::row_of(a)] = start.z[contact::row_of(a)] = size;
     if (!has_cap(a)) continue;
-    start.x[row_of(a)] = std::min(size, 0.5 * cap_[a]);
-    start.slack[a] = cap_[a] - start.x[row_of(a)];
+    start.x[contact::row_of(a)] = std::min(size, 0.5 * cap_[a]);
+    start.slack[a] = cap_[a] - start.x[contact::row_of(a)];
     start.multiplier[a] = size;
   }
   return start;
@@ -74,8 +74,8 @@ InteriorIterate InteriorPoint::cold_start(const VecX& b) const {
 InteriorIterate InteriorPoint::shifted(const InteriorIterate& iterate, double distance) const {
   InteriorIterate inside = iterate;
   for (int a = 0; a < problem_.num_contacts(); ++a) {
-    inside.x[row_of(a)] += distance;
-    inside.z[row_of(a)] += distance;
+    inside.x[contact::row_of(a)] += distance;
+    inside.z[contact::row_of(a)] += distance;
     if (!has_cap(a)) continue;
     inside.slack[a] += distance;
     inside.multiplier[a] += distance;
@@ -86,7 +86,7 @@ InteriorIterate InteriorPoint::shifted(const InteriorIterate& iterate, double di
 VecX InteriorPoint::impulses(const InteriorIterate& iterate) const { return slope_.cwiseProduct(iterate.x); }
 
 NesterovTodd InteriorPoint::scaling_at(const InteriorIterate& at, int a) const {
-  const Vec3 x = at.x.segment<3>(row_of(a)), z = at.z.segment<3>(row_of(a));
+  const Vec3 x = at.x.segment<3>(contact::row_of(a)), z = at.z.segment<3>(contact::row_of(a));
   if (has_tangent(a)) return nesterov_todd(x, z);
   // tangents of a half line get the unit matrix: their rows of A and of every right side are zero
   const double p = std::sqrt(z[0] / x[0]);
@@ -119,7 +119,7 @@ double InteriorPoint::gap_after(const InteriorIterate& at, const Direction& d, d
 
 InteriorPoint::Right InteriorPoint::predictor(const InteriorIterate& at) const {
   Right right{VecX(at.x.size()), -at.slack.cwiseProduct(at.multiplier)};
-  for (int a = 0; a < problem_.num_contacts(); ++a) right.g.segment<3>(row_of(a)) = -nt_[a].scaled;
+  for (int a = 0; a < problem_.num_contacts(); ++a) right.g.segment<3>(contact::row_of(a)) = -nt_[a].scaled;
   return right;
 }
 
@@ -127,9 +127,9 @@ InteriorPoint::Right InteriorPoint::corrector(const InteriorIterate& at, const D
   Right right = predictor(at);
   for (int a = 0; a < problem_.num_contacts(); ++a) {
     const Vec3& scaled = nt_[a].scaled;
-    const Vec3 change =
-        target * Vec3::UnitX() - jordan_product(affine.x.segment<3>(row_of(a)), affine.z.segment<3>(row_of(a)));
-    right.g.segment<3>(row_of(a)) +=
+    const Vec3 change = target * Vec3::UnitX() - jordan_product(affine.x.segment<3>(contact::row_of(a)),
+                                                                affine.z.segment<3>(contact::row_of(a)));
+    right.g.segment<3>(contact::row_of(a)) +=
         has_tangent(a) ? jordan_quotient(change, scaled) : Vec3(change[0] / scaled[0], 0, 0);
     if (has_cap(a)) right.line[a] += target - affine.slack[a] * affine.multiplier[a];
   }
@@ -142,12 +142,12 @@ InteriorPoint::Direction InteriorPoint::direction(const InteriorIterate& at, con
   const VecX residual = a_ * at.x + scaled_b - at.z;  // of z = A x + S b + m n, but for m n
   VecX rhs(at.x.size()), excess = VecX::Zero(nc);
   for (int a = 0; a < nc; ++a) {
-    Vec3 other = residual.segment<3>(row_of(a));
+    Vec3 other = residual.segment<3>(contact::row_of(a));
     if (has_cap(a)) {
-      excess[a] = at.x[row_of(a)] + at.slack[a] - cap_[a];
+      excess[a] = at.x[contact::row_of(a)] + at.slack[a] - cap_[a];
       other[0] += at.multiplier[a] + (right.line[a] + at.multiplier[a] * excess[a]) / at.slack[a];
     }
-    rhs.segment<3>(row_of(a)) = right.g.segment<3>(row_of(a)) - nt_[a].inverse * other;
+    rhs.segment<3>(contact::row_of(a)) = right.g.segment<3>(contact::row_of(a)) - nt_[a].inverse * other;
   }
   Direction d;
   d.x = factor_.solve(rhs);
@@ -155,7 +155,7 @@ InteriorPoint::Direction InteriorPoint::direction(const InteriorIterate& at, con
   d.slack = d.multiplier = VecX::Zero(nc);
   for (int a = 0; a < nc; ++a) {
     if (!has_cap(a)) continue;
-    d.slack[a] = -excess[a] - nt_[a].inverse.row(0).dot(d.x.segment<3>(row_of(a)));
+    d.slack[a] = -excess[a] - nt_[a].inverse.row(0).dot(d.x.segment<3>(contact::row_of(a)));
     d.multiplier[a] = (right.line[a] - at.multiplier[a] * d.slack[a]) / at.slack[a];
   }
   return d;
@@ -170,9 +170,9 @@ double InteriorPoint::longest_step(const InteriorIterate& at, const Direction& d
     const Vec3& scaled = nt_[a].scaled;
     for (const VecX* const part : {&d.x, &d.z}) {
       if (has_tangent(a))
-        step = std::min(step, step_to_boundary(scaled, part->segment<3>(row_of(a))));
+        step = std::min(step, step_to_boundary(scaled, part->segment<3>(contact::row_of(a))));
       else
-        on_line(scaled[0], (*part)[row_of(a)]);
+        on_line(scaled[0], (*part)[contact::row_of(a)]);
     }
     on_line(at.slack[a], d.slack[a]);
     on_line(at.multiplier[a], d.multiplier[a]);
@@ -184,8 +184,8 @@ InteriorIterate InteriorPoint::moved(const InteriorIterate& at, const Direction&
   InteriorIterate next{at.x, at.z, at.slack + step * d.slack, at.multiplier + step * d.multiplier};
   for (int a = 0; a < problem_.num_contacts(); ++a) {
     const NesterovTodd& nt = nt_[a];
-    next.x.segment<3>(row_of(a)) += step * (nt.inverse * d.x.segment<3>(row_of(a)));
-    next.z.segment<3>(row_of(a)) += step * (nt.scaling * d.z.segment<3>(row_of(a)));
+    next.x.segment<3>(contact::row_of(a)) += step * (nt.inverse * d.x.segment<3>(contact::row_of(a)));
+    next.z.segment<3>(contact::row_of(a)) += step * (nt.scaling * d.z.segment<3>(contact::row_of(a)));
   }
   return next;
 }
@@ -227,4 +227,4 @@ InteriorPoint::Outcome InteriorPoint::minimise(const VecX& b, double tolerance, 
   return out;
 }
 
-}  // namespace nilas
+}  // namespace nilas::solvers

@@ -19,7 +19,7 @@
 #include "contact/solvers/shared/mass_scaled.h"
 #include "contact/solvers/shared/second_order_cone.h"
 
-namespace nilas {
+namespace nilas::solvers {
 
 /// Strictly inside all cones.
 struct InteriorIterate {
@@ -75,4 +75,4 @@ class InteriorPoint {
   std::vector<NesterovTodd> nt_;
 };
 
-}  // namespace nilas
+}  // namespace nilas::solvers

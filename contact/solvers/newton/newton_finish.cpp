@@ -7,7 +7,7 @@
 #include "contact/law/cone.h"
 #include "contact/problem/row_of.h"
 
-namespace nilas {
+namespace nilas::solvers {
 
 namespace {
 
@@ -34,7 +34,7 @@ Piece alart_curnier(const Vec3& r, const Vec3& u, double mu, double cap) {
   const Vec3 y = r - u;
   const bool open = y[0] <= 0, capped = y[0] >= cap;
   const double normal = std::clamp(y[0], 0.0, cap);
-  const double radius = mu * normal, t = tangential_norm(y);
+  const double radius = mu * normal, t = contact::tangential_norm(y);
   Mat3 by_y = Mat3::Zero();
   Vec3 target(normal, y[1], y[2]);
   if (!open && !capped) by_y(0, 0) = 1;
@@ -53,8 +53,8 @@ Piece alart_curnier(const Vec3& r, const Vec3& u, double mu, double cap) {
 
 Piece convex(const Vec3& r, const Vec3& u, double mu, double cap) {
   const Vec3 y = r - u;
-  const Vec3 target = project_cone(y, mu, cap);
-  const double t = tangential_norm(y);
+  const Vec3 target = contact::project_cone(y, mu, cap);
+  const double t = contact::tangential_norm(y);
   Mat3 by_y = Mat3::Zero();
   if (target == y) {
     by_y.setIdentity();
@@ -87,7 +87,7 @@ class Finish {
     const VecX u = problem_.w * r + problem_.q;
     Size size;
     for (int a = 0; a < problem_.num_contacts(); ++a) {
-      const Vec3 r_a = r.segment<3>(row_of(a)), u_a = u.segment<3>(row_of(a));
+      const Vec3 r_a = r.segment<3>(contact::row_of(a)), u_a = u.segment<3>(contact::row_of(a));
       pieces_[a] = problem_.law == Law::ccp ? convex(r_a, u_a, problem_.mu[a], problem_.cap[a])
                                             : alart_curnier(r_a, u_a, problem_.mu[a], problem_.cap[a]);
       const double square = pieces_[a].f.squaredNorm();
@@ -106,22 +106,23 @@ class Finish {
     std::vector<int> place(nc, -1);
     int active = 0;
     for (int a = 0; a < nc; ++a) {
-      dr.segment<3>(row_of(a)) = -pieces_[a].f;
+      dr.segment<3>(contact::row_of(a)) = -pieces_[a].f;
       if (!pieces_[a].by_u.isZero(0)) place[a] = active++;
     }
     // F' of an open contact is the unit matrix: its dr is known, and what it does to u goes to the right side
     VecX open = dr;
     for (int a = 0; a < nc; ++a)
-      if (place[a] >= 0) open.segment<3>(row_of(a)).setZero();
+      if (place[a] >= 0) open.segment<3>(contact::row_of(a)).setZero();
     const VecX moved = problem_.w * open;
     VecX rhs(3 * active);
     for (int a = 0; a < nc; ++a)
       if (place[a] >= 0)
-        rhs.segment<3>(row_of(place[a])) = -pieces_[a].f - pieces_[a].by_u * moved.segment<3>(row_of(a));
+        rhs.segment<3>(contact::row_of(place[a])) =
+            -pieces_[a].f - pieces_[a].by_u * moved.segment<3>(contact::row_of(a));
     const VecX solved = solve(place, active, damping, rhs);
     if (solved.size() != rhs.size() || !solved.allFinite()) return {};
     for (int a = 0; a < nc; ++a)
-      if (place[a] >= 0) dr.segment<3>(row_of(a)) = solved.segment<3>(row_of(place[a]));
+      if (place[a] >= 0) dr.segment<3>(contact::row_of(a)) = solved.segment<3>(contact::row_of(place[a]));
     return dr;
   }
 
@@ -205,4 +206,4 @@ FinishOutcome newton_finish(const MassScaled& problem, const VecX& scaled, doubl
   return out;
 }
 
-}  // namespace nilas
+}  // namespace nilas::solvers

@@ -11,7 +11,7 @@
 #include "contact/solvers/shared/budget.h"
 #include "contact/solvers/shared/mass_scaled.h"
 
-namespace nilas {
+namespace nilas::solvers {
 
 struct FinishOutcome {
   VecX r;              ///< r', the best found
@@ -21,4 +21,4 @@ struct FinishOutcome {
 /// Steps from r' until the largest map is at most `tolerance` [m/s], |F| stops falling, or the iterations are used up.
 FinishOutcome newton_finish(const MassScaled& problem, const VecX& scaled, double tolerance, const Budget& budget);
 
-}  // namespace nilas
+}  // namespace nilas::solvers

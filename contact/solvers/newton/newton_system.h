@@ -17,12 +17,12 @@
 #include "contact/solvers/linear/block_lu.h"
 #include "contact/solvers/shared/law_slopes.h"
 
-namespace nilas {
+namespace nilas::solvers {
 
 class NewtonSystem {
  public:
   /// `island`: every contact of it can move, or has compliance. It must outlive the system.
-  explicit NewtonSystem(const LocalProblem& island, bool order_free = false);
+  explicit NewtonSystem(const contact::LocalProblem& island, bool order_free = false);
 
   VecX scaled(const VecX& r) const;           ///< r' of r
   VecX impulses(const VecX& scaled_r) const;  ///< r of r'
@@ -47,7 +47,7 @@ class NewtonSystem {
   void plan();
   void fill(double weight);
 
-  const LocalProblem& island_;
+  const contact::LocalProblem& island_;
   bool order_free_;
   std::vector<double> scale_;  ///< e_a
   std::vector<Mat3> block_;    ///< blocks of W'
@@ -62,4 +62,4 @@ class NewtonSystem {
   BlockLu factors_;
 };
 
-}  // namespace nilas
+}  // namespace nilas::solvers

@@ -6,7 +6,7 @@
 
 #include "contact/problem/row_of.h"
 
-namespace nilas {
+namespace nilas::solvers {
 
 namespace {
 
@@ -44,7 +44,7 @@ VecX remainder(const BlockRows& matrix, const VecX& b, const std::vector<TwoFold
   VecX out(b.size());
   for (std::size_t i = 0; i + 1 < matrix.row_start.size(); ++i)
     for (int row = 0; row < 3; ++row) {
-      const Eigen::Index place = row_of(i) + row;
+      const Eigen::Index place = contact::row_of(i) + row;
       TwoFold sum{b[place], 0};
       for (int k = matrix.row_start[i]; k < matrix.row_start[i + 1]; ++k) {
         const auto at = static_cast<std::size_t>(k);
@@ -93,4 +93,4 @@ bool solve_rounded(const BlockRows& matrix, const BlockLu& factors, VecX& x) {
   return false;
 }
 
-}  // namespace nilas
+}  // namespace nilas::solvers

@@ -12,7 +12,7 @@
 
 #include "contact/solvers/linear/block_lu.h"
 
-namespace nilas {
+namespace nilas::solvers {
 
 /// A sparse matrix of 3 x 3 blocks: row i has `block[k]` at `column[k]` for k in row_start[i] .. row_start[i + 1] - 1.
 struct BlockRows {
@@ -25,4 +25,4 @@ struct BlockRows {
 /// is singular, or nearly.
 bool solve_rounded(const BlockRows& matrix, const BlockLu& factors, VecX& x);
 
-}  // namespace nilas
+}  // namespace nilas::solvers

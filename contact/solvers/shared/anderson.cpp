@@ -1,6 +1,6 @@
 #include "contact/solvers/shared/anderson.h"
 
-namespace nilas {
+namespace nilas::solvers {
 
 /// Differences that are parallel to this share are dropped: coefficients beyond its inverse are noise.
 constexpr double k_parallel = 1e-10;
@@ -36,4 +36,4 @@ void Anderson::restart() {
   g_steps_.clear();
 }
 
-}  // namespace nilas
+}  // namespace nilas::solvers

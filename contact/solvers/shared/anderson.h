@@ -7,7 +7,7 @@
 
 #include "core/base/math.h"
 
-namespace nilas {
+namespace nilas::solvers {
 
 class Anderson {
  public:
@@ -23,4 +23,4 @@ class Anderson {
   std::vector<VecX> f_steps_, g_steps_;
 };
 
-}  // namespace nilas
+}  // namespace nilas::solvers

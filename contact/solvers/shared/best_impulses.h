@@ -7,7 +7,7 @@
 
 #include "contact/solvers/shared/budget.h"
 
-namespace nilas {
+namespace nilas::solvers {
 
 /// The one rule of all solvers: a solve has stalled when the residual did not fall to `share` of its last mark within
 /// `window` iterations. A fall that far sets the next mark. Window and share are in each solver's header.
@@ -41,7 +41,7 @@ class BestImpulses {
   /// `tolerance`: on the residual [m/s].
   BestImpulses(double tolerance, const Budget& budget, const StallRule& rule)
       : tolerance_(tolerance), budget_(budget), rule_(rule) {
-    out_.status = SolveStatus::iteration_limit;
+    out_.status = contact::SolveStatus::iteration_limit;
   }
 
   /// Keeps impulses whose residual as `measure` finds it is the least so far; one that is not a number never is.
@@ -54,9 +54,9 @@ class BestImpulses {
     }
     const bool stalled = rule_.has_stalled(residual, out_.iterations);
     if (residual <= tolerance_)
-      out_.status = SolveStatus::converged;
-    else if (stalled && out_.status == SolveStatus::iteration_limit)
-      out_.status = SolveStatus::stalled;
+      out_.status = contact::SolveStatus::converged;
+    else if (stalled && out_.status == contact::SolveStatus::iteration_limit)
+      out_.status = contact::SolveStatus::stalled;
     return is_best;
   }
 
@@ -64,18 +64,18 @@ class BestImpulses {
   void note(double residual) { out_.history.push_back(residual); }
   /// These end the solve, unless it has converged.
   void stall() {
-    if (is_running()) out_.status = SolveStatus::stalled;
+    if (is_running()) out_.status = contact::SolveStatus::stalled;
   }
   void fail(const std::string& why) {
     if (has_converged()) return;
-    out_.status = SolveStatus::numerical_error;
+    out_.status = contact::SolveStatus::numerical_error;
     out_.message = why;
   }
 
-  bool is_running() const { return out_.status == SolveStatus::iteration_limit; }
+  bool is_running() const { return out_.status == contact::SolveStatus::iteration_limit; }
   bool has_budget() const { return budget_.allows(out_.iterations); }
   bool goes_on() const { return is_running() && has_budget(); }
-  bool has_converged() const { return out_.status == SolveStatus::converged; }
+  bool has_converged() const { return out_.status == contact::SolveStatus::converged; }
   bool has_any() const { return std::isfinite(residual_); }
   int iterations() const { return out_.iterations; }
   /// Returns the budget that the iterations so far leave.
@@ -83,14 +83,14 @@ class BestImpulses {
   double residual() const { return residual_; }  ///< residual of the best impulses; infinite without any [m/s]
   const VecX& impulses() const { return out_.r; }
 
-  ContactSolution solution() && { return std::move(out_); }
+  contact::ContactSolution solution() && { return std::move(out_); }
 
  private:
   double tolerance_;
   Budget budget_;
   StallRule rule_;
-  ContactSolution out_;
+  contact::ContactSolution out_;
   double residual_ = std::numeric_limits<double>::infinity();
 };
 
-}  // namespace nilas
+}  // namespace nilas::solvers

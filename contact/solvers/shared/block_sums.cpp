@@ -5,11 +5,11 @@
 #include "core/base/order_free_sum.h"
 #include "core/base/parallel.h"
 
-namespace nilas {
+namespace nilas::solvers {
 
 BlockSums::BlockSums(const RowIsland& island, bool order_free)
     : island_(island), order_free_(order_free), rows_(island.problem.law == Law::frictionless ? 1 : 3) {
-  const ContactProblem& problem = island.problem;
+  const contact::ContactProblem& problem = island.problem;
   for (const int k : island.island.blocks) {
     const auto i = static_cast<std::size_t>(k);
     blocks_.push_back(
@@ -95,4 +95,4 @@ void BlockSums::gather_order_free(const Block& block, const VecX& r, double* z) 
   }
 }
 
-}  // namespace nilas
+}  // namespace nilas::solvers

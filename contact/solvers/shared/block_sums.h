@@ -4,7 +4,7 @@
 
 #include "contact/solvers/shared/row_islands.h"
 
-namespace nilas {
+namespace nilas::solvers {
 
 class BlockSums {
  public:
@@ -42,4 +42,4 @@ class BlockSums {
   std::vector<double> free_;
 };
 
-}  // namespace nilas
+}  // namespace nilas::solvers

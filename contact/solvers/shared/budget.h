@@ -6,13 +6,13 @@
 
 #include "contact/problem/solution.h"
 
-namespace nilas {
+namespace nilas::solvers {
 
 /// Iterations, and wall time that runs from the start of the whole solve: its islands and stages share the clock.
 class Budget {
  public:
   /// Starts the clock.
-  explicit Budget(const SolverSettings& settings) : iterations_(settings.max_iterations) {
+  explicit Budget(const contact::SolverSettings& settings) : iterations_(settings.max_iterations) {
     if (settings.max_seconds > 0)
       end_ = Clock::now() +
              std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(settings.max_seconds));
@@ -39,4 +39,4 @@ class Budget {
   std::optional<Clock::time_point> end_;
 };
 
-}  // namespace nilas
+}  // namespace nilas::solvers

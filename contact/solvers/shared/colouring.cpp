@@ -3,7 +3,7 @@
 #include <bit>
 #include <cstdint>
 
-namespace nilas {
+namespace nilas::solvers {
 
 namespace {
 
@@ -14,9 +14,9 @@ struct Run {
   int first = 0, last = 0;
 };
 
-std::vector<Run> find_runs(const ContactProblem& problem, const std::vector<int>& contacts) {
+std::vector<Run> find_runs(const contact::ContactProblem& problem, const std::vector<int>& contacts) {
   std::vector<Run> runs;
-  const auto pair = [&](int k) -> const ContactProblem::Pair& { return problem.pairs[contacts[k]]; };
+  const auto pair = [&](int k) -> const contact::ContactProblem::Pair& { return problem.pairs[contacts[k]]; };
   for (int k = 0; k < static_cast<int>(contacts.size()); ++k) {
     if (!runs.empty() && pair(k).a == pair(runs.back().first).a && pair(k).b == pair(runs.back().first).b)
       runs.back().last = k + 1;
@@ -28,7 +28,7 @@ std::vector<Run> find_runs(const ContactProblem& problem, const std::vector<int>
 
 }  // namespace
 
-void colour(const ContactProblem& problem, std::vector<int>& contacts, int first, std::vector<int>& runs,
+void colour(const contact::ContactProblem& problem, std::vector<int>& contacts, int first, std::vector<int>& runs,
             std::vector<int>& colours) {
   const std::vector<Run> found = find_runs(problem, contacts);
   const auto blocks_of = [&](const Run& run) { return problem.pairs[contacts[run.first]]; };
@@ -78,4 +78,4 @@ void colour(const ContactProblem& problem, std::vector<int>& contacts, int first
   contacts = std::move(ordered);
 }
 
-}  // namespace nilas
+}  // namespace nilas::solvers

@@ -2,7 +2,7 @@
 /// The rows of one contact on the velocities of its two blocks, unrolled for blocks of known size.
 #include "contact/solvers/shared/pgs_rows.h"
 
-namespace nilas {
+namespace nilas::solvers {
 
 /// A block size that only the problem knows.
 constexpr int k_any = Eigen::Dynamic;
@@ -61,4 +61,4 @@ class Sides {
   Eigen::Index n_a_, n_b_;
 };
 
-}  // namespace nilas
+}  // namespace nilas::solvers

@@ -5,7 +5,7 @@
 
 #include "contact/law/cone.h"
 
-namespace nilas {
+namespace nilas::solvers {
 
 namespace {
 
@@ -37,7 +37,7 @@ LawSlopes coulomb_slopes(double mu, double cap, const Vec3& r, const Vec3& u) {
   const Vec3 x = r - u;
   LawSlopes out;
   set_normal(cap, r, u, out);
-  const double t = tangential_norm(x), radius = mu * std::min(x[0], cap);
+  const double t = contact::tangential_norm(x), radius = mu * std::min(x[0], cap);
   if (t <= radius) {
     set_sticking_row(1, u, out);
     set_sticking_row(2, u, out);
@@ -91,8 +91,8 @@ Mat2 disc_slope(const Vec2& t, double rim) {
 /// Derivative of project_cone(x, mu, cap).
 Mat3 cone_slope(const Vec3& x, double mu, double cap) {
   Mat3 slope = Mat3::Zero();
-  const Vec3 y = project_cone(x, mu);
-  const double t = tangential_norm(x);
+  const Vec3 y = contact::project_cone(x, mu);
+  const double t = contact::tangential_norm(x);
   if (y[0] > cap) {
     slope.bottomRightCorner<2, 2>() = disc_slope(x.tail<2>(), mu * cap);
   } else if (t <= mu * x[0]) {
@@ -140,7 +140,7 @@ LawSlopes natural_slopes(const Vec3& r, const Vec3& nearest, const Mat3& slope) 
 
 LawSlopes ccp_slopes(double mu, double cap, const Vec3& r, const Vec3& u) {
   const Vec3 x = r - u;
-  return natural_slopes(r, project_cone(x, mu, cap), cone_slope(x, mu, cap));
+  return natural_slopes(r, contact::project_cone(x, mu, cap), cone_slope(x, mu, cap));
 }
 
 LawSlopes pyramid_k_slopes(int facets, double mu, double cap, const Vec3& r, const Vec3& u) {
@@ -148,7 +148,7 @@ LawSlopes pyramid_k_slopes(int facets, double mu, double cap, const Vec3& r, con
   const double angle = width * std::round(std::atan2(-u[2], -u[1]) / width);
   const Vec2 corner(std::cos(angle), std::sin(angle));
   const Vec3 x = r - u + Vec3(mu * corner.dot(u.tail<2>()), 0, 0);
-  LawSlopes out = natural_slopes(r, project_pyramid(x, mu, facets, cap), pyramid_slope(x, mu, facets, cap));
+  LawSlopes out = natural_slopes(r, contact::project_pyramid(x, mu, facets, cap), pyramid_slope(x, mu, facets, cap));
   out.by_velocity.rightCols<2>() -= out.by_velocity.col(0) * (mu * corner.transpose());
   return out;
 }
@@ -164,4 +164,4 @@ LawSlopes law_slopes(Law law, int facets, double mu, double cap, const Vec3& r, 
   return coulomb_slopes(mu, cap, r, u);
 }
 
-}  // namespace nilas
+}  // namespace nilas::solvers

@@ -12,7 +12,7 @@
 /// smooth. Sources: Alart & Curnier 1991; Acary, Bremond, Huber 2018.
 #include "contact/problem/problem.h"
 
-namespace nilas {
+namespace nilas::solvers {
 
 struct LawSlopes {
   Vec3 value = Vec3::Zero();
@@ -24,4 +24,4 @@ struct LawSlopes {
 /// `cap`: largest r_N, may be infinite. `facets`: of pyramid-k.
 LawSlopes law_slopes(Law law, int facets, double mu, double cap, const Vec3& r, const Vec3& u);
 
-}  // namespace nilas
+}  // namespace nilas::solvers

@@ -6,7 +6,7 @@
 #include "contact/law/cone.h"
 #include "contact/problem/row_of.h"
 
-namespace nilas {
+namespace nilas::solvers {
 
 namespace {
 
@@ -15,20 +15,20 @@ constexpr double k_rounding = 1e-14;
 
 }  // namespace
 
-MassScaled mass_scaled(const LocalProblem& island) {
+MassScaled mass_scaled(const contact::LocalProblem& island) {
   MassScaled scaled;
   scaled.law = island.law;
   const int nc = island.num_contacts();
-  scaled.w = sparse_matrix(island);
+  scaled.w = contact::sparse_matrix(island);
   scaled.q = island.q;
   VecX rows(3 * nc);
   for (int a = 0; a < nc; ++a) {
     const double compliance = island.compliance[a];
-    scaled.w.coeffRef(row_of(a), row_of(a)) += compliance;
+    scaled.w.coeffRef(contact::row_of(a), contact::row_of(a)) += compliance;
     const double d = (island.diagonal(a).trace() + compliance) / 3;
     const double e = 1 / std::sqrt(d);
     scaled.scale.push_back(e);
-    rows.segment<3>(row_of(a)).setConstant(e);
+    rows.segment<3>(contact::row_of(a)).setConstant(e);
     scaled.mu.push_back(island.law == Law::frictionless ? 0 : island.mu[a]);
     scaled.cap.push_back(island.force_limit[a] / e);
   }
@@ -42,22 +42,22 @@ MassScaled mass_scaled(const LocalProblem& island) {
 
 VecX MassScaled::impulses(const VecX& scaled) const {
   VecX r = scaled;
-  for (int a = 0; a < num_contacts(); ++a) r.segment<3>(row_of(a)) *= scale[a];
+  for (int a = 0; a < num_contacts(); ++a) r.segment<3>(contact::row_of(a)) *= scale[a];
   return r;
 }
 
 VecX MassScaled::scaled_impulses(const VecX& r) const {
   VecX scaled = r;
-  for (int a = 0; a < num_contacts(); ++a) scaled.segment<3>(row_of(a)) /= scale[a];
+  for (int a = 0; a < num_contacts(); ++a) scaled.segment<3>(contact::row_of(a)) /= scale[a];
   return scaled;
 }
 
 double convex_map(const MassScaled& problem, const VecX& scaled, const VecX& velocity) {
   double worst = 0;
   for (int a = 0; a < problem.num_contacts(); ++a) {
-    const Vec3 r = scaled.segment<3>(row_of(a));
-    const Vec3 step = r - velocity.segment<3>(row_of(a));
-    const double map = (r - project_cone(step, problem.mu[a], problem.cap[a])).norm() / problem.scale[a];
+    const Vec3 r = scaled.segment<3>(contact::row_of(a));
+    const Vec3 step = r - velocity.segment<3>(contact::row_of(a));
+    const double map = (r - contact::project_cone(step, problem.mu[a], problem.cap[a])).norm() / problem.scale[a];
     if (!(map <= worst)) worst = map;  // a NaN stays
   }
   return worst;
@@ -66,13 +66,13 @@ double convex_map(const MassScaled& problem, const VecX& scaled, const VecX& vel
 VecX de_saxce_shift(const MassScaled& problem, const VecX& velocity) {
   VecX shift = VecX::Zero(velocity.size());
   for (int a = 0; a < problem.num_contacts(); ++a)
-    shift[row_of(a)] = problem.mu[a] * tangential_norm(velocity.segment<3>(row_of(a)));
+    shift[contact::row_of(a)] = problem.mu[a] * contact::tangential_norm(velocity.segment<3>(contact::row_of(a)));
   return shift;
 }
 
-std::optional<ContactSolution> solve_immovable(const LocalProblem& island) {
+std::optional<contact::ContactSolution> solve_immovable(const contact::LocalProblem& island) {
   const int nc = island.num_contacts();
-  ContactSolution solution;
+  contact::ContactSolution solution;
   solution.r = VecX::Zero(3 * nc);
   bool any = false, all = true;
   for (int a = 0; a < nc; ++a) {
@@ -81,17 +81,17 @@ std::optional<ContactSolution> solve_immovable(const LocalProblem& island) {
       continue;
     }
     any = true;
-    if (!(island.q[row_of(a)] < 0)) continue;
+    if (!(island.q[contact::row_of(a)] < 0)) continue;
     if (std::isfinite(island.force_limit[a])) {
-      solution.r[row_of(a)] = island.force_limit[a];
+      solution.r[contact::row_of(a)] = island.force_limit[a];
     } else {
       solution.message = "contact " + std::to_string(island.key[a]) + " closes and neither side can move";
     }
   }
   if (!any) return std::nullopt;
   if (!all && solution.message.empty()) solution.message = "W has coupled rows with a zero diagonal block";
-  solution.status = solution.message.empty() ? SolveStatus::converged : SolveStatus::numerical_error;
+  solution.status = solution.message.empty() ? contact::SolveStatus::converged : contact::SolveStatus::numerical_error;
   return solution;
 }
 
-}  // namespace nilas
+}  // namespace nilas::solvers

@@ -14,7 +14,7 @@
 #include "contact/problem/problem.h"
 #include "contact/problem/solution.h"
 
-namespace nilas {
+namespace nilas::solvers {
 
 struct MassScaled {
   Law law = Law::coulomb;
@@ -31,7 +31,7 @@ struct MassScaled {
   VecX scaled_impulses(const VecX& r) const;  ///< r' of r
 };
 
-MassScaled mass_scaled(const LocalProblem& island);
+MassScaled mass_scaled(const contact::LocalProblem& island);
 
 /// Residual of the convex law with velocities u' (any shift included): max sqrt(d_a) |r'_a - P(r'_a - u'_a)| [m/s].
 double convex_map(const MassScaled& problem, const VecX& scaled, const VecX& velocity);
@@ -41,6 +41,6 @@ VecX de_saxce_shift(const MassScaled& problem, const VecX& velocity);
 
 /// The solution of an island that holds a contact whose sides cannot move (W_aa = 0, no compliance): the limit where it
 /// closes, else 0; numerical_error naming its key where it closes without a limit. Empty for all other islands.
-std::optional<ContactSolution> solve_immovable(const LocalProblem& island);
+std::optional<contact::ContactSolution> solve_immovable(const contact::LocalProblem& island);
 
-}  // namespace nilas
+}  // namespace nilas::solvers

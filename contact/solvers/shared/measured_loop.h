@@ -5,12 +5,12 @@
 
 #include "contact/solvers/shared/best_impulses.h"
 
-namespace nilas {
+namespace nilas::solvers {
 
 class MeasuredLoop {
  public:
   /// `window`: of the stall rule, whose share is 0.999. With tolerance 0 nothing is measured and nothing stalls.
-  MeasuredLoop(const SolverSettings& shared, const Budget& budget, int window)
+  MeasuredLoop(const contact::SolverSettings& shared, const Budget& budget, int window)
       : tolerance_(shared.tolerance),
         last_(budget.iterations()),
         enough_(shared.tolerance),
@@ -32,12 +32,12 @@ class MeasuredLoop {
 
   /// The best impulses that were measured; with tolerance 0 the last ones. Zeros where none are finite.
   template <class Measure, class Impulses>
-  ContactSolution solution(const Measure& measure, const Impulses& impulses) {
+  contact::ContactSolution solution(const Measure& measure, const Impulses& impulses) {
     const VecX last = impulses();
     if (tolerance_ > 0 && !is_measured_) judge(1, measure(), last);
     if (!last.allFinite()) best_.fail(k_overflow);
     const bool keeps_last = !best_.has_any() && last.allFinite();
-    ContactSolution out = std::move(best_).solution();
+    contact::ContactSolution out = std::move(best_).solution();
     if (keeps_last) out.r = last;
     if (out.r.size() == 0) out.r = VecX::Zero(last.size());
     return out;
@@ -76,4 +76,4 @@ class MeasuredLoop {
   BestImpulses best_;
 };
 
-}  // namespace nilas
+}  // namespace nilas::solvers

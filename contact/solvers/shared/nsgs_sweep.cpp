@@ -6,7 +6,7 @@
 #include "contact/solvers/shared/contact_sides.h"
 #include "core/base/parallel.h"
 
-namespace nilas {
+namespace nilas::solvers {
 
 namespace {
 
@@ -26,7 +26,7 @@ double visit(PgsContact& c, NsgsContact& own, const double* coefficients, double
   }
   const Vec3 old(c.r[0], c.r[1], c.r[2]);
   const Vec3 b = own.block.without(old, u);
-  const Vec3 r = solve_in_sweep(path == Path::coulomb ? Law::coulomb : law, facets, own.block, b, own.start);
+  const Vec3 r = contact::solve_in_sweep(path == Path::coulomb ? Law::coulomb : law, facets, own.block, b, own.start);
   const Vec3 change = r - old;
   const double square = change.squaredNorm();
   if (square == 0) return 0;
@@ -60,7 +60,7 @@ double visit_moment(PgsContact& c, NsgsContact& own, double normal, const double
   Vec3 u;
   for (int i = 0; i < 3; ++i) u[i] = sides.velocity(i) + c.w[i];
   const Vec3 old(c.r[0], c.r[1], c.r[2]);
-  const Vec3 r = solve_moment(own.block, own.block.without(old, u), normal, old, boxes, own.start);
+  const Vec3 r = contact::solve_moment(own.block, own.block.without(old, u), normal, old, boxes, own.start);
   const Vec3 change = r - old;
   sides.apply(change[0], change[1], change[2]);
   for (int i = 0; i < 3; ++i) c.r[i] = r[i];
@@ -144,7 +144,7 @@ std::vector<NsgsContact> make_nsgs_contacts(const PgsRows& rows, const PgsIsland
   for (int k = island.first; k < island.last; ++k) {
     const PgsContact& c = rows.contacts[k];
     const Mat3 w = block_of(c, rows.law);
-    blocks.push_back({ContactBlock(w, c.mu, c.force_limit, c.compliance), {0, c.r[0]}, w.trace() / 3});
+    blocks.push_back({contact::ContactBlock(w, c.mu, c.force_limit, c.compliance), {0, c.r[0]}, w.trace() / 3});
   }
   return blocks;
 }
@@ -156,4 +156,4 @@ double nsgs_sweep(PgsRows& rows, const PgsIsland& island, std::vector<NsgsContac
   return sweep<Path::other>(rows, island, blocks, facets, backward, threads);
 }
 
-}  // namespace nilas
+}  // namespace nilas::solvers

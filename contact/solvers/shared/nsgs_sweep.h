@@ -3,12 +3,12 @@
 #include "contact/law/local_solve.h"
 #include "contact/solvers/shared/pgs_rows.h"
 
-namespace nilas {
+namespace nilas::solvers {
 
 /// The data that the exact solve of one contact needs besides its rows.
 struct NsgsContact {
-  ContactBlock block;
-  ContactStart start;
+  contact::ContactBlock block;
+  contact::ContactStart start;
   double d = 0;  ///< trace(W_aa)/3
 };
 
@@ -20,4 +20,4 @@ std::vector<NsgsContact> make_nsgs_contacts(const PgsRows& rows, const PgsIsland
 double nsgs_sweep(PgsRows& rows, const PgsIsland& island, std::vector<NsgsContact>& blocks, int facets, bool backward,
                   int threads);
 
-}  // namespace nilas
+}  // namespace nilas::solvers

@@ -3,15 +3,15 @@
 #include "contact/problem/row_of.h"
 #include "core/base/order_free_sum.h"
 
-namespace nilas {
+namespace nilas::solvers {
 
-VecX order_free_velocities(const PreparedProblem& prepared, const VecX& r) {
-  const ContactProblem& problem = prepared.problem();
+VecX order_free_velocities(const contact::PreparedProblem& prepared, const VecX& r) {
+  const contact::ContactProblem& problem = prepared.problem();
   std::vector<OrderFreeSum> momenta(static_cast<std::size_t>(problem.num_velocities()));
   for (std::size_t i = 0; i < momenta.size(); ++i) momenta[i].add(problem.f[static_cast<Eigen::Index>(i)]);
   for (int c = 0; c < problem.num_contacts(); ++c) {
     const auto& pair = problem.pairs[c];
-    const Vec3 own = r.segment<3>(row_of(c));
+    const Vec3 own = r.segment<3>(contact::row_of(c));
     const auto add = [&](int block, const auto& jacobian) {
       if (block < 0) return;
       const auto first = static_cast<std::size_t>(problem.block_offset[block]);
@@ -30,4 +30,4 @@ VecX order_free_velocities(const PreparedProblem& prepared, const VecX& r) {
   return v;
 }
 
-}  // namespace nilas
+}  // namespace nilas::solvers

@@ -9,7 +9,7 @@
 #include "contact/solvers/shared/pgs_sweep.h"
 #include "core/base/parallel.h"
 
-namespace nilas {
+namespace nilas::solvers {
 
 /// A row whose inverse mass is below this share of the contact's mean is held by what cannot move; rounding alone gives
 /// the square of 1e-16.
@@ -17,7 +17,7 @@ constexpr double k_immovable_share = 1e-20;
 /// Stands for the mass of what cannot move: any velocity drives the impulse to its bound in one step [kg].
 constexpr double k_immovable_mass = 1e100;
 
-static void place_velocities(const ContactProblem& problem, PgsRows& rows) {
+static void place_velocities(const contact::ContactProblem& problem, PgsRows& rows) {
   int place = 0;
   for (int k = 0; k < problem.num_blocks(); ++k) {
     rows.first_velocity.push_back(place);
@@ -26,7 +26,7 @@ static void place_velocities(const ContactProblem& problem, PgsRows& rows) {
   rows.velocities = VecX::Zero(place);
 }
 
-static PgsShape shape_of(const ContactProblem::Pair& pair, int size_a, int size_b) {
+static PgsShape shape_of(const contact::ContactProblem::Pair& pair, int size_a, int size_b) {
   if (pair.a == pair.b) return PgsShape::general;
   if (size_a == 6 && size_b == 6) return PgsShape::six_six;
   if (size_a == 6 && size_b == 0) return PgsShape::six_none;
@@ -35,7 +35,7 @@ static PgsShape shape_of(const ContactProblem::Pair& pair, int size_a, int size_
 }
 
 /// Where contact c reads and writes; its numbers follow later.
-static PgsContact place_contact(const ContactProblem& problem, const PgsRows& rows, int c) {
+static PgsContact place_contact(const contact::ContactProblem& problem, const PgsRows& rows, int c) {
   const auto& pair = problem.pairs[c];
   PgsContact contact;
   if (pair.a >= 0) contact.first_a = rows.first_velocity[pair.a];
@@ -46,13 +46,13 @@ static PgsContact place_contact(const ContactProblem& problem, const PgsRows& ro
   return contact;
 }
 
-static bool has_roots(const MassInverse& masses, const ContactProblem::Pair& pair) {
+static bool has_roots(const contact::MassInverse& masses, const contact::ContactProblem::Pair& pair) {
   return (pair.a < 0 || masses.has_root(pair.a)) && (pair.b < 0 || masses.has_root(pair.b));
 }
 
-static void place_islands(const PreparedProblem& prepared, RowOrder order, PgsRows& rows) {
-  const ContactProblem& problem = prepared.problem();
-  const MassInverse& masses = prepared.masses();
+static void place_islands(const contact::PreparedProblem& prepared, RowOrder order, PgsRows& rows) {
+  const contact::ContactProblem& problem = prepared.problem();
+  const contact::MassInverse& masses = prepared.masses();
   const int rows_per_contact = rows.law == Law::frictionless ? 1 : 3;
   std::vector<char> listed(static_cast<std::size_t>(problem.num_blocks()), 0);
   Eigen::Index coefficients = 0;
@@ -83,7 +83,7 @@ static void place_islands(const PreparedProblem& prepared, RowOrder order, PgsRo
   rows.scales.resize(rows.contacts.size());
 }
 
-static void link_moments(const ContactProblem& problem, PgsRows& rows) {
+static void link_moments(const contact::ContactProblem& problem, PgsRows& rows) {
   if (!problem.has_moments()) return;
   std::vector<int> place(problem.pairs.size());
   for (std::size_t k = 0; k < rows.source.size(); ++k) place[rows.source[k]] = static_cast<int>(k);
@@ -95,7 +95,7 @@ static void link_moments(const ContactProblem& problem, PgsRows& rows) {
 }
 
 RowWeights row_weights(const Mat3& w, Law law, double compliance, double force_limit) {
-  const double smallest = k_immovable_share * inverse_mass_scale(w);
+  const double smallest = k_immovable_share * contact::inverse_mass_scale(w);
   const auto weight = [&](double inverse_mass) {
     return inverse_mass > smallest ? 1 / inverse_mass : k_immovable_mass;
   };
@@ -120,8 +120,8 @@ static void set_weights(const Mat3& w, Law law, PgsContact& contact) {
 }
 
 /// Row i of one side and its response, written to their places.
-static void write_row(const MassInverse& masses, int block, const double* jacobian, Eigen::Index n, double* row,
-                      double* response) {
+static void write_row(const contact::MassInverse& masses, int block, const double* jacobian, Eigen::Index n,
+                      double* row, double* response) {
   if (masses.has_root(block)) {
     masses.apply_root(block, jacobian, row);
     if (response != row) std::copy_n(row, n, response);
@@ -132,7 +132,7 @@ static void write_row(const MassInverse& masses, int block, const double* jacobi
 }
 
 /// All three rows of contact c and their responses.
-static void write_rows(const ContactProblem& problem, const MassInverse& masses, int c, double* rows,
+static void write_rows(const contact::ContactProblem& problem, const contact::MassInverse& masses, int c, double* rows,
                        double* responses) {
   const auto& pair = problem.pairs[c];
   const auto a = problem.jacobian_a(c), b = problem.jacobian_b(c);
@@ -180,12 +180,12 @@ static void set_impulse(const Vec3& guess, Law law, PgsContact& contact) {
 }
 
 /// `room`: for the rows of a contact that keeps only its first.
-static void fill_contact(const ContactProblem& problem, const MassInverse& masses, const VecX& guess, PgsRows& rows,
-                         std::size_t place, double* room) {
+static void fill_contact(const contact::ContactProblem& problem, const contact::MassInverse& masses, const VecX& guess,
+                         PgsRows& rows, std::size_t place, double* room) {
   PgsContact& contact = rows.contacts[place];
   const int c = rows.source[place];
   const auto i = static_cast<std::size_t>(c);
-  const auto first = row_of(c);
+  const auto first = contact::row_of(c);
   const auto& pair = problem.pairs[i];
   const bool normal_only = rows.law == Law::frictionless, once = contact.rows == contact.responses;
   double* const all_rows = normal_only ? room : rows.coefficients.data() + contact.rows;
@@ -197,8 +197,8 @@ static void fill_contact(const ContactProblem& problem, const MassInverse& masse
     if (!once) std::copy_n(all_responses, contact.stride(), rows.coefficients.data() + contact.responses);
   }
   const Mat3 w = own_block(all_rows, all_responses, contact.size_a, contact.size_b, pair.a == pair.b);
-  const double d = inverse_mass_scale(w);
-  rows.scales[place] = contact_scale(problem, c, d);
+  const double d = contact::inverse_mass_scale(w);
+  rows.scales[place] = contact::contact_scale(problem, c, d);
   contact.mu = problem.mu[i];
   contact.force_limit = problem.force_limit[i];
   contact.compliance = problem.compliance[i];
@@ -223,7 +223,7 @@ static bool all_finite(const PgsRows& rows) {
   });
 }
 
-void set_block_velocities(const MassInverse& masses, int k, const double* momentum, PgsRows& rows) {
+void set_block_velocities(const contact::MassInverse& masses, int k, const double* momentum, PgsRows& rows) {
   double* const out = rows.velocities.data() + rows.first_velocity[k];
   if (masses.has_root(k))
     masses.apply_root(k, momentum, out);
@@ -231,7 +231,8 @@ void set_block_velocities(const MassInverse& masses, int k, const double* moment
     masses.apply(k, momentum, out);
 }
 
-static void set_velocities(const ContactProblem& problem, const MassInverse& masses, PgsRows& rows, int threads) {
+static void set_velocities(const contact::ContactProblem& problem, const contact::MassInverse& masses, PgsRows& rows,
+                           int threads) {
   parallel_for(problem.num_blocks(), threads, [&](std::ptrdiff_t k) {
     set_block_velocities(masses, static_cast<int>(k), problem.f.data() + problem.block_offset[k], rows);
   });
@@ -239,15 +240,15 @@ static void set_velocities(const ContactProblem& problem, const MassInverse& mas
   for (const auto& contact : rows.contacts) apply_impulse(contact, rows);
 }
 
-PgsRows make_pgs_rows(const PreparedProblem& prepared, const VecX& guess, RowOrder order, int threads) {
-  const ContactProblem& problem = prepared.problem();
-  const MassInverse& masses = prepared.masses();
+PgsRows make_pgs_rows(const contact::PreparedProblem& prepared, const VecX& guess, RowOrder order, int threads) {
+  const contact::ContactProblem& problem = prepared.problem();
+  const contact::MassInverse& masses = prepared.masses();
   PgsRows rows;
   rows.law = problem.law;
   place_velocities(problem, rows);
   place_islands(prepared, order, rows);
   link_moments(problem, rows);
-  const std::size_t room = 2 * largest_response(problem);
+  const std::size_t room = 2 * contact::largest_response(problem);
   const auto count = static_cast<std::ptrdiff_t>(rows.contacts.size());
   parallel_chunks(count, k_chunk, threads, [&](std::ptrdiff_t, std::ptrdiff_t first, std::ptrdiff_t last) {
     std::vector<double> scratch(room);
@@ -258,4 +259,4 @@ PgsRows make_pgs_rows(const PreparedProblem& prepared, const VecX& guess, RowOrd
   return rows;
 }
 
-}  // namespace nilas
+}  // namespace nilas::solvers

@@ -6,7 +6,7 @@
 #include "contact/problem/prepared_problem.h"
 #include "contact/problem/problem.h"
 
-namespace nilas {
+namespace nilas::solvers {
 
 /// Block sizes for which a sweep has unrolled code.
 enum class PgsShape { six_six, six_none, none_six, general };
@@ -59,8 +59,8 @@ struct PgsIsland {
 struct PgsRows {
   Law law = Law::pyramid;
   std::vector<PgsContact> contacts;
-  std::vector<int> source;           ///< index in the problem of each contact
-  std::vector<ContactScale> scales;  ///< scales of the law's residual
+  std::vector<int> source;                    ///< index in the problem of each contact
+  std::vector<contact::ContactScale> scales;  ///< scales of the law's residual
   VecX coefficients;
   VecX velocities;                  ///< z or v with the impulses so far; each block begins at an even place
   std::vector<int> first_velocity;  ///< first velocity of each block
@@ -69,9 +69,9 @@ struct PgsRows {
 };
 
 /// Writes the velocities that the sweeps keep of block k from its momentum M v.
-void set_block_velocities(const MassInverse& masses, int k, const double* momentum, PgsRows& rows);
+void set_block_velocities(const contact::MassInverse& masses, int k, const double* momentum, PgsRows& rows);
 
 /// Sets all up for the impulses `guess` (3 nc, or empty for none), made admissible.
-PgsRows make_pgs_rows(const PreparedProblem& prepared, const VecX& guess, RowOrder order, int threads);
+PgsRows make_pgs_rows(const contact::PreparedProblem& prepared, const VecX& guess, RowOrder order, int threads);
 
-}  // namespace nilas
+}  // namespace nilas::solvers

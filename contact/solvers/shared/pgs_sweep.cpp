@@ -5,7 +5,7 @@
 
 #include "contact/solvers/shared/contact_sides.h"
 
-namespace nilas {
+namespace nilas::solvers {
 
 namespace {
 
@@ -109,4 +109,4 @@ void apply_impulse(const PgsContact& contact, PgsRows& rows) {
     sides.apply(contact.r[0], contact.r[1], contact.r[2]);
 }
 
-}  // namespace nilas
+}  // namespace nilas::solvers

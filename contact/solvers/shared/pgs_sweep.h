@@ -2,7 +2,7 @@
 /// One sweep of projected Gauss-Seidel over an island.
 #include "contact/solvers/shared/pgs_rows.h"
 
-namespace nilas {
+namespace nilas::solvers {
 
 /// Visits the island's contacts in order (or backwards). Returns the largest |dr_i| W_ii [m/s], or 0 if `track` was
 /// off.
@@ -14,4 +14,4 @@ PgsSweep pgs_sweep(Law law, bool track);
 /// Adds M^-1 J^T r of the contact's present impulse to the velocities.
 void apply_impulse(const PgsContact& contact, PgsRows& rows);
 
-}  // namespace nilas
+}  // namespace nilas::solvers

@@ -7,12 +7,12 @@
 #include "contact/solvers/shared/pgs_rows.h"
 #include "contact/solvers/shared/row_residual.h"
 
-namespace nilas {
+namespace nilas::solvers {
 
 /// The data that a solver gets of one island. It leaves its impulses in rows.contacts of the island.
 struct RowIsland {
-  const ContactProblem& problem;
-  const MassInverse& masses;
+  const contact::ContactProblem& problem;
+  const contact::MassInverse& masses;
   PgsRows& rows;
   const PgsIsland& island;
   RowResidual& residual;
@@ -20,7 +20,7 @@ struct RowIsland {
 };
 
 /// A solver of one island; `r`, `v` and `u` of its solution are not read.
-using RowSolve = std::function<ContactSolution(const RowIsland& island)>;
+using RowSolve = std::function<contact::ContactSolution(const RowIsland& island)>;
 
 /// Islands of fewer contacts are solved side by side, larger ones one after another with all threads inside.
 constexpr int k_large_island = 1000;
@@ -29,7 +29,8 @@ constexpr int k_large_island = 1000;
 /// data) and gathers: the worst status, the most iterations, the first message. numerical_error where input or
 /// impulses are not finite, a mass is not positive definite, or a contact closes whose sides cannot move and that has
 /// no force limit. Throws ContractError for a guess of the wrong size.
-ContactSolution solve_row_islands(const PreparedProblem& prepared, const VecX& guess, const SolverSettings& shared,
-                                  RowOrder order, const RowSolve& solve);
+contact::ContactSolution solve_row_islands(const contact::PreparedProblem& prepared, const VecX& guess,
+                                           const contact::SolverSettings& shared, RowOrder order,
+                                           const RowSolve& solve);
 
-}  // namespace nilas
+}  // namespace nilas::solvers

@@ -7,7 +7,7 @@
 #include "contact/problem/operators.h"
 #include "contact/problem/row_of.h"
 
-namespace nilas {
+namespace nilas::solvers {
 
 /// Closing slower than this is rounding where nothing can move [m/s].
 constexpr double k_closing_speed = 1e-9;
@@ -29,12 +29,13 @@ double RowResidual::law_map(const PgsRows& rows, const PgsIsland& island) {
     if (contact.bound_by >= 0) continue;  // judged with its contact
     const int c = rows.source[i];
     const Vec3 r = Eigen::Map<const Vec3>(contact.r);
-    const Vec3 u = compliant_velocity(problem_.compliance[c], r, contact_velocity(problem_, c, v_.data()));
-    const double map =
-        contact.moment < 0
-            ? nilas::law_map(problem_.law, problem_.facets, rows.scales[i], r, u)
-            : nilas::law_map(problem_.law, rows.scales[i], {r, Eigen::Map<const Vec3>(moment_of(rows, contact).r)},
-                             {u, contact_velocity(problem_, moment_source(rows, contact), v_.data())});
+    const Vec3 u =
+        contact::compliant_velocity(problem_.compliance[c], r, contact::contact_velocity(problem_, c, v_.data()));
+    const double map = contact.moment < 0
+                           ? nilas::contact::law_map(problem_.law, problem_.facets, rows.scales[i], r, u)
+                           : nilas::contact::law_map(
+                                 problem_.law, rows.scales[i], {r, Eigen::Map<const Vec3>(moment_of(rows, contact).r)},
+                                 {u, contact::contact_velocity(problem_, moment_source(rows, contact), v_.data())});
     if (!(map <= worst)) worst = map;
     if (std::isnan(worst)) return worst;
   }
@@ -48,7 +49,7 @@ void RowResidual::set_velocities(const PgsRows& rows, const PgsIsland& island) {
   }
   for (int k = island.first; k < island.last; ++k) {
     const auto i = static_cast<std::size_t>(k);
-    add_impulse(problem_, rows.source[i], Eigen::Map<const Vec3>(rows.contacts[i].r), momentum_.data());
+    contact::add_impulse(problem_, rows.source[i], Eigen::Map<const Vec3>(rows.contacts[i].r), momentum_.data());
   }
   for (const int k : island.blocks) {
     const int first = problem_.block_offset[k];
@@ -65,21 +66,21 @@ RowResidual::Culprit RowResidual::find_culprit(const PgsRows& rows, const PgsIsl
     const auto i = static_cast<std::size_t>(k);
     if (!rows.contacts[i].unanswerable) continue;
     set_velocities(rows, island);
-    const double u_n = contact_velocity(problem_, rows.source[i], v_.data())[0];
+    const double u_n = contact::contact_velocity(problem_, rows.source[i], v_.data())[0];
     if (u_n < -std::max(k_closing_speed, tolerance)) return {rows.source[i], -u_n};
   }
   return {};
 }
 
-std::string find_culprit(const LocalProblem& problem, const VecX& r, double tolerance) {
+std::string find_culprit(const contact::LocalProblem& problem, const VecX& r, double tolerance) {
   VecX u;
   for (int c = 0; c < problem.num_contacts(); ++c) {
     const auto i = static_cast<std::size_t>(c);
     const Mat3& w = problem.diagonal(c);
     if (w(0, 0) > k_immovable_share * w.trace() || problem.compliance[i] > 0 || std::isfinite(problem.force_limit[i]))
       continue;
-    if (u.size() == 0) u = contact_velocities(problem, r);
-    const double u_n = u[row_of(c)];
+    if (u.size() == 0) u = contact::contact_velocities(problem, r);
+    const double u_n = u[contact::row_of(c)];
     if (u_n < -std::max(k_closing_speed, tolerance)) return closing_message(c, problem.key[i], -u_n);
   }
   return "";
@@ -90,4 +91,4 @@ std::string closing_message(int contact, std::uint64_t key, double speed) {
          std::to_string(speed) + " m/s, but neither side can move and it has no force limit";
 }
 
-}  // namespace nilas
+}  // namespace nilas::solvers

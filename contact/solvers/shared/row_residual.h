@@ -5,12 +5,12 @@
 #include "contact/problem/local_problem.h"
 #include "contact/solvers/shared/pgs_rows.h"
 
-namespace nilas {
+namespace nilas::solvers {
 
 /// One solve's true velocities. Islands touch different parts, so they may be asked from different threads.
 class RowResidual {
  public:
-  RowResidual(const ContactProblem& problem, const MassInverse& masses)
+  RowResidual(const contact::ContactProblem& problem, const contact::MassInverse& masses)
       : problem_(problem), masses_(masses), momentum_(VecX::Zero(problem.num_velocities())), v_(momentum_) {}
 
   /// law_map of the island with velocities M^-1 (f + H r) [m/s], as `measure` has it.
@@ -28,15 +28,15 @@ class RowResidual {
  private:
   void set_velocities(const PgsRows& rows, const PgsIsland& island);
 
-  const ContactProblem& problem_;
-  const MassInverse& masses_;
+  const contact::ContactProblem& problem_;
+  const contact::MassInverse& masses_;
   VecX momentum_, v_;  ///< f + H r and M^-1 of it
 };
 
 /// The same on a local problem, as a message; empty: none.
-std::string find_culprit(const LocalProblem& problem, const VecX& r, double tolerance);
+std::string find_culprit(const contact::LocalProblem& problem, const VecX& r, double tolerance);
 
 /// "contact 3 (key 17) closes at 0.2 m/s, but neither side can move and it has no force limit".
 std::string closing_message(int contact, std::uint64_t key, double speed);
 
-}  // namespace nilas
+}  // namespace nilas::solvers

@@ -13,13 +13,13 @@
 
 #include "contact/law/cone.h"
 
-namespace nilas {
+namespace nilas::solvers {
 
 /// x_0 - |x_T|: positive inside, in the units of x.
-inline double cone_margin(const Vec3& x) { return x[0] - tangential_norm(x); }
+inline double cone_margin(const Vec3& x) { return x[0] - contact::tangential_norm(x); }
 
 /// Factored, so that a point near the boundary keeps its digits.
-inline double cone_determinant(const Vec3& x) { return cone_margin(x) * (x[0] + tangential_norm(x)); }
+inline double cone_determinant(const Vec3& x) { return cone_margin(x) * (x[0] + contact::tangential_norm(x)); }
 
 inline Vec3 mirrored(const Vec3& x) { return {x[0], -x[1], -x[2]}; }
 
@@ -64,4 +64,4 @@ inline NesterovTodd nesterov_todd(const Vec3& x, const Vec3& z) {
   return nt;
 }
 
-}  // namespace nilas
+}  // namespace nilas::solvers

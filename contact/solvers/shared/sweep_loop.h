@@ -6,10 +6,10 @@
 #include "contact/solvers/shared/measured_loop.h"
 #include "contact/solvers/shared/row_islands.h"
 
-namespace nilas {
+namespace nilas::solvers {
 
 struct SweepSettings {
-  SolverSettings shared;
+  contact::SolverSettings shared;
   bool symmetric_sweeps = false;  ///< every second sweep runs backwards
   int stall_sweeps = 500;  ///< window of the stall rule (best_impulses.h), at least one sweep per contact; share 0.999
 };
@@ -33,7 +33,7 @@ class RowSweeps {
 /// An island of a local problem, velocities gathered row by row.
 class LocalSweeps {
  public:
-  LocalSweeps(const LocalProblem& problem, const VecX& guess);
+  LocalSweeps(const contact::LocalProblem& problem, const VecX& guess);
   double law_map() const;  ///< [m/s]
   void correct() {}
   const VecX& impulses() const { return r_; }
@@ -41,15 +41,16 @@ class LocalSweeps {
  protected:
   Vec3 velocity(int c) const;  ///< (W r + q) of contact c
 
-  const LocalProblem& problem_;
-  std::vector<ContactScale> scales_;
+  const contact::LocalProblem& problem_;
+  std::vector<contact::ContactScale> scales_;
   VecX r_;
 };
 
 /// Sweeps until the residual is small enough or falls no more. r: the best impulses that were measured. Sweeps:
 /// RowSweeps or LocalSweeps with sweep(backward) -> largest change [m/s].
 template <class Sweeps>
-ContactSolution sweep_to_tolerance(Sweeps& sweeps, int contacts, const SweepSettings& settings, const Budget& budget) {
+contact::ContactSolution sweep_to_tolerance(Sweeps& sweeps, int contacts, const SweepSettings& settings,
+                                            const Budget& budget) {
   MeasuredLoop loop(settings.shared, budget, std::max(settings.stall_sweeps, contacts));
   const auto measured = [&] {
     const double law_map = sweeps.law_map();
@@ -67,18 +68,18 @@ ContactSolution sweep_to_tolerance(Sweeps& sweeps, int contacts, const SweepSett
 
 /// Solves a local problem with sweeps made by Sweeps(island, guess).
 template <class Sweeps>
-ContactSolution solve_by_sweeps(const LocalProblem& problem, const VecX& guess, const SweepSettings& settings,
-                                const Budget& budget) {
-  return solve_islands(problem, guess, [&](const LocalProblem& island, const VecX& start) {
+contact::ContactSolution solve_by_sweeps(const contact::LocalProblem& problem, const VecX& guess,
+                                         const SweepSettings& settings, const Budget& budget) {
+  return solve_islands(problem, guess, [&](const contact::LocalProblem& island, const VecX& start) {
     Sweeps sweeps(island, start);
-    ContactSolution solution = sweep_to_tolerance(sweeps, island.num_contacts(), settings, budget);
+    contact::ContactSolution solution = sweep_to_tolerance(sweeps, island.num_contacts(), settings, budget);
     const std::string culprit = find_culprit(island, solution.r, settings.shared.tolerance);
     if (!culprit.empty()) {
-      solution.status = SolveStatus::numerical_error;
+      solution.status = contact::SolveStatus::numerical_error;
       solution.message = culprit;
     }
     return solution;
   });
 }
 
-}  // namespace nilas
+}  // namespace nilas::solvers

@@ -1,6 +1,6 @@
 #include "core/field/pack/centre_grid.h"
 
-namespace nilas {
+namespace nilas::field {
 
 CentreGrid::CentreGrid(const Vec2& low, const Vec2& high, double cell)
     : low_(low),
@@ -18,4 +18,4 @@ void CentreGrid::erase(int floe, const Vec2& centre) {
   cell.erase(std::find(cell.begin(), cell.end(), floe));
 }
 
-}  // namespace nilas
+}  // namespace nilas::field

@@ -6,7 +6,7 @@
 
 #include "core/base/math.h"
 
-namespace nilas {
+namespace nilas::field {
 
 class CentreGrid {
  public:
@@ -37,4 +37,4 @@ class CentreGrid {
   std::vector<std::vector<int>> cells_;
 };
 
-}  // namespace nilas
+}  // namespace nilas::field

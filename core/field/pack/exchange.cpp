@@ -5,7 +5,7 @@
 #include "core/field/pack/overlaps.h"
 #include "core/field/pack/place_floes.h"
 
-namespace nilas {
+namespace nilas::field {
 
 namespace {
 
@@ -115,4 +115,4 @@ void Exchange::keep(Trial& trial) {
   outlines_[trial.floe] = std::move(trial.outline);
 }
 
-}  // namespace nilas
+}  // namespace nilas::field

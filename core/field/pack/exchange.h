@@ -7,7 +7,7 @@
 #include "core/field/pack/centre_grid.h"
 #include "core/field/spec/loose_floe.h"
 
-namespace nilas {
+namespace nilas::field {
 
 class Exchange {
  public:
@@ -40,4 +40,4 @@ class Exchange {
   std::vector<ConvexOutline> outlines_;
 };
 
-}  // namespace nilas
+}  // namespace nilas::field

@@ -7,7 +7,7 @@
 #include "core/field/spec/keep_out.h"
 #include "core/geometry/mass_properties.h"
 
-namespace nilas {
+namespace nilas::field {
 
 namespace {
 
@@ -137,7 +137,7 @@ class Fitter {
   bool fit(std::size_t i) {
     LooseFloe& floe = floes_[i];
     const auto area = [](const std::vector<Vec2>& outline) {
-      return outline.empty() ? 0 : polygon_moments(outline).area;
+      return outline.empty() ? 0 : geometry::polygon_moments(outline).area;
     };
     double low = 1, high = 1 + k_largest_growth;
     if (area(grown(i, low)) >= floe.area * (1 - k_area_tolerance)) return false;
@@ -174,4 +174,4 @@ std::vector<std::size_t> fit_outlines(std::vector<LooseFloe>& floes, const Field
   return Fitter(floes, bounds, limits).run();
 }
 
-}  // namespace nilas
+}  // namespace nilas::field

@@ -5,7 +5,7 @@
 
 #include "core/field/spec/loose_floe.h"
 
-namespace nilas {
+namespace nilas::field {
 
 struct FittingLimits {
   double gap = 0;        ///< required gap between outlines [m]
@@ -26,4 +26,4 @@ void limit_corners(std::vector<Vec2>& outline, double area, const FittingLimits&
 std::vector<std::size_t> fit_outlines(std::vector<LooseFloe>& floes, const FieldBounds& bounds,
                                       const FittingLimits& limits);
 
-}  // namespace nilas
+}  // namespace nilas::field

@@ -4,7 +4,7 @@
 #include <limits>
 #include <numeric>
 
-namespace nilas {
+namespace nilas::field {
 
 namespace {}  // namespace
 
@@ -48,4 +48,4 @@ double deepest_overlap(const std::vector<LooseFloe>& floes, const FieldBounds& b
   return deepest;
 }
 
-}  // namespace nilas
+}  // namespace nilas::field

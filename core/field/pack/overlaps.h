@@ -4,7 +4,7 @@
 
 #include "core/field/spec/loose_floe.h"
 
-namespace nilas {
+namespace nilas::field {
 
 struct NearPair {
   int a, b;
@@ -19,4 +19,4 @@ double deepest_overlap(const std::vector<LooseFloe>& floes, const FieldBounds& b
 /// Largest distance of a corner beyond the region's rectangle; < 0: all inside [m].
 double beyond_edge(const ConvexOutline& outline, const FieldBounds& bounds);
 
-}  // namespace nilas
+}  // namespace nilas::field

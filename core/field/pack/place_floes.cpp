@@ -5,7 +5,7 @@
 
 #include "core/field/pack/centre_grid.h"
 
-namespace nilas {
+namespace nilas::field {
 
 namespace {
 
@@ -60,4 +60,4 @@ void place_floes(std::vector<LooseFloe>& floes, const FieldBounds& bounds, Rando
   }
 }
 
-}  // namespace nilas
+}  // namespace nilas::field

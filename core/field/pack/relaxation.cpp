@@ -6,7 +6,7 @@
 
 #include "core/field/pack/overlaps.h"
 
-namespace nilas {
+namespace nilas::field {
 
 namespace {
 
@@ -143,4 +143,4 @@ void Relaxation::move() {
   }
 }
 
-}  // namespace nilas
+}  // namespace nilas::field

@@ -10,7 +10,7 @@
 
 #include "core/field/spec/loose_floe.h"
 
-namespace nilas {
+namespace nilas::field {
 
 struct RelaxationSettings {
   double gap = 0;    ///< required gap between all outlines [m]
@@ -65,4 +65,4 @@ class Relaxation {
   double pair_scale_ = 0;
 };
 
-}  // namespace nilas
+}  // namespace nilas::field

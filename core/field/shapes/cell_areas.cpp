@@ -5,7 +5,7 @@
 #include "core/field/shapes/power_diagram.h"
 #include "core/geometry/mass_properties.h"
 
-namespace nilas {
+namespace nilas::field {
 
 namespace {
 
@@ -33,7 +33,7 @@ class AreaFit {
   /// Moves every site to its cell's centroid.
   void move_sites() {
     for (std::size_t i = 0; i < cells_.size(); ++i)
-      if (cells_[i].area > 0) sites_.points[i] = polygon_moments(cells_[i].outline).centroid;
+      if (cells_[i].area > 0) sites_.points[i] = geometry::polygon_moments(cells_[i].outline).centroid;
     look();
   }
 
@@ -152,4 +152,4 @@ std::vector<PowerCell> cells_with_areas(PowerSites& sites, const std::vector<dou
   return std::move(fit).cells();
 }
 
-}  // namespace nilas
+}  // namespace nilas::field

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace nilas {
+namespace nilas::field {
 
 namespace {
 
@@ -76,4 +76,4 @@ std::vector<LooseFloe> draw_library_floes(const PackedSpec& spec, double wanted,
   return floes;
 }
 
-}  // namespace nilas
+}  // namespace nilas::field

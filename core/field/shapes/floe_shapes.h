@@ -4,7 +4,7 @@
 #include "core/field/spec/field_spec.h"
 #include "core/field/spec/loose_floe.h"
 
-namespace nilas {
+namespace nilas::field {
 
 /// A floe of the spec's shape about the origin at angle zero, of `area` [m^2]. A polygon has vertices_min to
 /// vertices_max corners on an ellipse, with nearly even spacing. A disc is a regular polygon of k_disc_corners corners.
@@ -17,4 +17,4 @@ std::vector<LooseFloe> draw_library_floes(const PackedSpec& spec, double wanted,
 
 constexpr int k_disc_corners = 24;
 
-}  // namespace nilas
+}  // namespace nilas::field

@@ -10,7 +10,7 @@
 #include "core/base/error.h"
 #include "core/geometry/mass_properties.h"
 
-namespace nilas {
+namespace nilas::field {
 
 namespace {
 
@@ -48,9 +48,11 @@ std::vector<std::vector<Vec2>> outline_difference(const std::vector<Vec2>& outli
     std::vector<Vec2> piece = outline_of(part.outer_boundary());
     if (piece.size() >= 3) pieces.push_back(std::move(piece));
   }
-  const auto larger = [](const auto& a, const auto& b) { return polygon_moments(a).area > polygon_moments(b).area; };
+  const auto larger = [](const auto& a, const auto& b) {
+    return geometry::polygon_moments(a).area > geometry::polygon_moments(b).area;
+  };
   std::stable_sort(pieces.begin(), pieces.end(), larger);
   return pieces;
 }
 
-}  // namespace nilas
+}  // namespace nilas::field

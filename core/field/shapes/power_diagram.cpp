@@ -10,7 +10,7 @@
 
 #include "core/geometry/mass_properties.h"
 
-namespace nilas {
+namespace nilas::field {
 
 namespace {
 
@@ -104,7 +104,7 @@ PowerCell cell_of(int i, const std::vector<int>& near, const PowerSites& sites, 
   }
   for (const Obstacle& o : bounds.obstacles)
     if (!cell.outline.empty() && boxes_meet(cell.outline, o)) cut_by_obstacle(cell, p, o.outline);
-  if (!cell.outline.empty()) cell.area = polygon_moments(cell.outline).area;
+  if (!cell.outline.empty()) cell.area = geometry::polygon_moments(cell.outline).area;
   return cell;
 }
 
@@ -118,4 +118,4 @@ std::vector<PowerCell> power_cells(const PowerSites& sites, const FieldBounds& b
   return cells;
 }
 
-}  // namespace nilas
+}  // namespace nilas::field

@@ -4,7 +4,7 @@
 
 #include "core/field/spec/loose_floe.h"
 
-namespace nilas {
+namespace nilas::field {
 
 /// Sites p_i with weights w_i [m^2]: cell i holds the points x of the region with |x - p_i|^2 - w_i least.
 struct PowerSites {
@@ -28,4 +28,4 @@ std::vector<PowerCell> power_cells(const PowerSites& sites, const FieldBounds& b
 std::vector<PowerCell> cells_with_areas(PowerSites& sites, const std::vector<double>& shares, const FieldBounds& bounds,
                                         int rounds, double tolerance);
 
-}  // namespace nilas
+}  // namespace nilas::field

@@ -13,7 +13,7 @@
 
 #include "core/base/error.h"
 
-namespace nilas {
+namespace nilas::field {
 
 namespace {
 
@@ -102,4 +102,4 @@ double CutDistribution::at_score(double z) const {
 
 double CutDistribution::quantile(double u) const { return from_tails(u, 1 - u); }
 
-}  // namespace nilas
+}  // namespace nilas::field

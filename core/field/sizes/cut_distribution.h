@@ -2,7 +2,7 @@
 /// Distributions of the properties of ice, as shares of their mean, cut to physical limits.
 #include "core/choices/ice_choices.h"
 
-namespace nilas {
+namespace nilas::field {
 
 /// A distribution with mean 1 and standard deviation `cov` before it is cut. The part within the limits is scaled to
 /// probability 1. Values do not accumulate at the limits, and mean and deviation change through the cut.
@@ -29,4 +29,4 @@ class CutDistribution {
   double cut_below_ = 0, cut_above_ = 0;  ///< probabilities cut off
 };
 
-}  // namespace nilas
+}  // namespace nilas::field

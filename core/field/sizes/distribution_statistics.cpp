@@ -8,7 +8,7 @@
 #include "core/base/error.h"
 #include "core/base/statistics.h"
 
-namespace nilas {
+namespace nilas::field {
 
 namespace {
 
@@ -108,4 +108,4 @@ double correlation(const std::vector<double>& a, const std::vector<double>& b) {
   return aa > 0 && bb > 0 ? ab / std::sqrt(aa * bb) : 0;
 }
 
-}  // namespace nilas
+}  // namespace nilas::field

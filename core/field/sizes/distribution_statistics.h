@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-namespace nilas {
+namespace nilas::field {
 
 /// Quantile function: the value of cumulative probability u in [0, 1]; not decreasing.
 using Quantiles = std::function<double(double u)>;
@@ -36,4 +36,4 @@ double score_correlation(const std::vector<double>& a, const std::vector<double>
 /// Product-moment correlation of the values; 0 where a sample does not vary.
 double correlation(const std::vector<double>& a, const std::vector<double>& b);
 
-}  // namespace nilas
+}  // namespace nilas::field

@@ -1,6 +1,6 @@
 #include "core/field/sizes/floe_property.h"
 
-namespace nilas {
+namespace nilas::field {
 
 namespace {
 
@@ -33,4 +33,4 @@ double& value_of(FieldFloe& floe, FloeProperty property) { return floe.*row_of(p
 
 double value_of(const FieldFloe& floe, FloeProperty property) { return floe.*row_of(property).value; }
 
-}  // namespace nilas
+}  // namespace nilas::field

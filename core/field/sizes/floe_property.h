@@ -5,7 +5,7 @@
 
 #include "core/field/spec/field_spec.h"
 
-namespace nilas {
+namespace nilas::field {
 
 constexpr int k_num_floe_properties = static_cast<int>(num_choices<FloeProperty>());
 constexpr std::array<FloeProperty, k_num_floe_properties> k_floe_properties = all_choices<FloeProperty>();
@@ -19,4 +19,4 @@ std::string_view column_of(FloeProperty property);
 double& value_of(FieldFloe& floe, FloeProperty property);
 double value_of(const FieldFloe& floe, FloeProperty property);
 
-}  // namespace nilas
+}  // namespace nilas::field

@@ -7,7 +7,7 @@
 
 #include "core/geometry/mass_properties.h"
 
-namespace nilas {
+namespace nilas::field {
 
 namespace {
 
@@ -36,7 +36,7 @@ double draw_size(const PackedSpec& spec, RandomStream& random) {
 /// Quantile u of the library's sizes; its outlines are drawn with equal probability.
 double library_quantile(const PackedSpec& spec, double u) {
   std::vector<double> sizes;
-  for (const auto& outline : spec.library) sizes.push_back(std::sqrt(polygon_moments(outline).area));
+  for (const auto& outline : spec.library) sizes.push_back(std::sqrt(geometry::polygon_moments(outline).area));
   std::sort(sizes.begin(), sizes.end());
   const auto last = static_cast<double>(sizes.size()) - 1;
   return sizes[static_cast<std::size_t>(std::clamp(std::floor(u * (last + 1)), 0.0, last))];
@@ -79,4 +79,4 @@ double size_quantile(const PackedSpec& spec, double u) {
   return std::clamp(boost::math::quantile(sizes, u), spec.min, spec.max);
 }
 
-}  // namespace nilas
+}  // namespace nilas::field

@@ -6,7 +6,7 @@
 
 #include "core/geometry/polygon.h"
 
-namespace nilas {
+namespace nilas::field {
 
 namespace {
 
@@ -69,7 +69,7 @@ double FloeTexture::mean_over(const std::vector<Vec2>& outline) const {
   const double side = k_side * plane_->shortest_length();
   double area = 0, sum = 0;
   const auto value = [&](const Vec2& x) { return at(x.x(), x.y()); };
-  for (const auto& piece : convex_pieces(outline))
+  for (const auto& piece : geometry::convex_pieces(outline))
     for (std::size_t k = 1; k + 1 < piece.size(); ++k) {
       const Triangle t{piece[0], piece[k], piece[k + 1]};
       const double longest = std::max({(t.b - t.a).norm(), (t.c - t.b).norm(), (t.a - t.c).norm()});
@@ -82,4 +82,4 @@ double FloeTexture::mean_over(const std::vector<Vec2>& outline) const {
   return sum / area;
 }
 
-}  // namespace nilas
+}  // namespace nilas::field

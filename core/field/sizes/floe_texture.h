@@ -7,7 +7,7 @@
 #include "core/field/sizes/cut_distribution.h"
 #include "core/field/sizes/gaussian_field.h"
 
-namespace nilas {
+namespace nilas::field {
 
 /// One property over the plane in which a field was laid out, as a share of its mean. It is the distribution's value at
 /// a score: the weighted sum of unit Gaussian fields. The squares of the weights sum to 1.
@@ -41,4 +41,4 @@ class FloeTexture {
   Vec2 origin_;
 };
 
-}  // namespace nilas
+}  // namespace nilas::field

@@ -4,7 +4,7 @@
 
 #include "core/base/error.h"
 
-namespace nilas {
+namespace nilas::field {
 
 GaussianField::GaussianField(double length, RandomStream random) : length_(length) {
   NILAS_DEMAND(length > 0 && std::isfinite(length));
@@ -30,4 +30,4 @@ double GaussianField::correlation(double distance, double length) {
   return std::exp(-(distance / length) * (distance / length));
 }
 
-}  // namespace nilas
+}  // namespace nilas::field

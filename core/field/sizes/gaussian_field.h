@@ -5,7 +5,7 @@
 #include "core/base/math.h"
 #include "core/base/random.h"
 
-namespace nilas {
+namespace nilas::field {
 
 /// Zero mean, unit variance, correlation exp(-(d/length)^2) at distance d: 1/e at the correlation length. The sum
 ///   g(x) = sqrt(2/N) sum_m cos(k_m . x + phi_m)
@@ -33,4 +33,4 @@ class GaussianField {
   std::vector<Mode> modes_;
 };
 
-}  // namespace nilas
+}  // namespace nilas::field

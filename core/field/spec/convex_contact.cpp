@@ -2,7 +2,7 @@
 
 #include <limits>
 
-namespace nilas {
+namespace nilas::field {
 
 namespace {
 
@@ -117,4 +117,4 @@ Touching touching_points(const ConvexOutline& first, const ConvexOutline& second
   return touching;
 }
 
-}  // namespace nilas
+}  // namespace nilas::field

@@ -4,7 +4,7 @@
 
 #include "core/base/math.h"
 
-namespace nilas {
+namespace nilas::field {
 
 /// Convex counter-clockwise outline with the outward unit normal of each edge (i, i + 1).
 struct ConvexOutline {
@@ -37,4 +37,4 @@ struct Touching {
 Touching touching_points(const ConvexOutline& first, const ConvexOutline& second, const SeparatingAxis& axis,
                          double reach);
 
-}  // namespace nilas
+}  // namespace nilas::field

@@ -8,7 +8,7 @@
 #include "core/choices/defaults.h"
 #include "core/choices/ice_choices.h"
 
-namespace nilas {
+namespace nilas::field {
 
 /// One floe of a field, in the still-water plane.
 struct FieldFloe {
@@ -42,12 +42,12 @@ struct PackedSpec {
 };
 struct FieldResult {
   std::vector<FieldFloe> floes;
-  double concentration = 0;          ///< concentration reached: ice area / free region area
-  double worst_overlap = 0;          ///< depth [m]
-  int passes = 0;                    ///< relaxation passes used
-  int fitted = 0;                    ///< polygon floes whose outline was fitted to its neighbours, see pack_field
-  int left_out = 0;                  ///< floes dropped because they met a keep-out outline
-  std::vector<WeakLine> weak_lines;  ///< lines of reduced strength, frame G
+  double concentration = 0;  ///< concentration reached: ice area / free region area
+  double worst_overlap = 0;  ///< depth [m]
+  int passes = 0;            ///< relaxation passes used
+  int fitted = 0;            ///< polygon floes whose outline was fitted to its neighbours, see pack_field
+  int left_out = 0;          ///< floes dropped because they met a keep-out outline
+  std::vector<bodies::WeakLine> weak_lines;  ///< lines of reduced strength, frame G
 };
 
 /// An intact sheet.
@@ -76,4 +76,4 @@ struct GridSpec {
   double keep_out_margin = 0;
 };
 
-}  // namespace nilas
+}  // namespace nilas::field

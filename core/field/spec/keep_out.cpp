@@ -6,7 +6,7 @@
 #include "core/geometry/mass_properties.h"
 #include "core/geometry/polygon.h"
 
-namespace nilas {
+namespace nilas::field {
 
 namespace {
 
@@ -26,7 +26,7 @@ double covered_area(const std::vector<Vec2>& common, const std::vector<std::vect
       part = cut_outline(part, normal, normal.dot(outline[i]));
     }
     if (part.empty()) continue;
-    area += polygon_moments(part).area - covered_area(part, outlines, k + 1);
+    area += geometry::polygon_moments(part).area - covered_area(part, outlines, k + 1);
   }
   return area;
 }
@@ -70,7 +70,7 @@ std::vector<std::vector<Vec2>> grown_outlines(const std::vector<std::vector<Vec2
   std::vector<std::vector<Vec2>> grown;
   for (std::size_t k = 0; k < outlines.size(); ++k) {
     const auto& outline = outlines[k];
-    if (outline.size() < 3 || !is_convex(outline) || !(polygon_moments(outline).area > 0))
+    if (outline.size() < 3 || !geometry::is_convex(outline) || !(geometry::polygon_moments(outline).area > 0))
       throw InputError("keep-out outline " + std::to_string(k + 1) + " is not convex and counter-clockwise");
     grown.push_back(grown_outline(outline, margin));
   }
@@ -82,4 +82,4 @@ double free_area(const Vec2& low, const Vec2& high, const std::vector<std::vecto
   return (high - low).prod() - covered_area(region, outlines, 0);
 }
 
-}  // namespace nilas
+}  // namespace nilas::field

@@ -4,7 +4,7 @@
 
 #include "core/base/math.h"
 
-namespace nilas {
+namespace nilas::field {
 
 /// The convex counter-clockwise outline grown by `margin` [m] on all sides; round corners become short edges outside
 /// the circle, so that the result holds every point within the margin.
@@ -18,4 +18,4 @@ double free_area(const Vec2& low, const Vec2& high, const std::vector<std::vecto
 /// The part of the convex counter-clockwise outline where normal . x <= offset; empty when nothing is left.
 std::vector<Vec2> cut_outline(const std::vector<Vec2>& outline, const Vec2& normal, double offset);
 
-}  // namespace nilas
+}  // namespace nilas::field

@@ -6,10 +6,10 @@
 #include "core/geometry/mass_properties.h"
 #include "core/geometry/polygon.h"
 
-namespace nilas {
+namespace nilas::field {
 
 LooseFloe loose_floe(std::vector<Vec2> outline) {
-  const PolygonMoments moments = polygon_moments(outline);
+  const geometry::PolygonMoments moments = geometry::polygon_moments(outline);
   LooseFloe floe;
   floe.area = moments.area;
   floe.polar_moment = moments.xx + moments.yy;
@@ -23,9 +23,9 @@ LooseFloe loose_floe(std::vector<Vec2> outline) {
 }
 
 LooseFloe hulled_floe(const std::vector<Vec2>& outline) {
-  if (is_convex(outline)) return loose_floe(outline);
-  LooseFloe floe = loose_floe(convex_hull(outline));
-  floe.fill = polygon_moments(outline).area / floe.area;
+  if (geometry::is_convex(outline)) return loose_floe(outline);
+  LooseFloe floe = loose_floe(geometry::convex_hull(outline));
+  floe.fill = geometry::polygon_moments(outline).area / floe.area;
   for (const Vec2& corner : outline) floe.notched.push_back(corner - floe.centre);
   return floe;
 }
@@ -81,4 +81,4 @@ bool is_near(const Obstacle& obstacle, const Vec2& centre, double radius, double
   return (centre - nearest).norm() < radius + distance;
 }
 
-}  // namespace nilas
+}  // namespace nilas::field

@@ -5,7 +5,7 @@
 #include "core/base/math.h"
 #include "core/field/spec/convex_contact.h"
 
-namespace nilas {
+namespace nilas::field {
 
 struct LooseFloe {
   std::vector<Vec2> shape;     ///< convex, counter-clockwise about the centroid [m]
@@ -45,4 +45,4 @@ struct FieldBounds {
 /// True when the circle comes within `distance` of the obstacle's bounding box.
 bool is_near(const Obstacle& obstacle, const Vec2& centre, double radius, double distance);
 
-}  // namespace nilas
+}  // namespace nilas::field

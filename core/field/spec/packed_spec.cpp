@@ -7,7 +7,7 @@
 #include "core/base/error.h"
 #include "core/field/spec/keep_out.h"
 
-namespace nilas {
+namespace nilas::field {
 
 namespace {
 
@@ -70,4 +70,4 @@ double free_area(const FieldBounds& bounds) {
   return free_area(bounds.low, bounds.high, outlines);
 }
 
-}  // namespace nilas
+}  // namespace nilas::field

@@ -3,7 +3,7 @@
 #include "core/field/spec/field_spec.h"
 #include "core/field/spec/loose_floe.h"
 
-namespace nilas {
+namespace nilas::field {
 
 /// Throws InputError naming the parameter, what was found and what is allowed.
 void check_packed_spec(const PackedSpec& spec);
@@ -13,4 +13,4 @@ FieldBounds field_bounds(const PackedSpec& spec);
 /// Area of the region outside the obstacles [m^2].
 double free_area(const FieldBounds& bounds);
 
-}  // namespace nilas
+}  // namespace nilas::field

@@ -11,7 +11,7 @@
 #include "core/mesh/decompose/pieces.h"
 #include "core/mesh/mend/surface_mesh.h"
 
-namespace nilas {
+namespace nilas::mesh {
 
 namespace {
 
@@ -32,9 +32,9 @@ using CapTriangulation =
                                                CGAL::Exact_predicates_tag>;
 
 /// Heights of all vertices above the plane; 0 where float32 rounding may have moved a vertex off it.
-std::vector<double> heights_over(const HalfSpace& plane, const TriangleMesh& piece) {
+std::vector<double> heights_over(const HalfSpace& plane, const geometry::TriangleMesh& piece) {
   constexpr double k_rounding = 1e-7;  // share of a coordinate
-  const auto box = box_of(piece);
+  const auto box = geometry::box_of(piece);
   const double skin = k_rounding * std::max(box.max().cwiseAbs().maxCoeff(), box.min().cwiseAbs().maxCoeff());
   std::vector<double> heights;
   for (const auto& p : piece.vertices) {
@@ -46,8 +46,9 @@ std::vector<double> heights_over(const HalfSpace& plane, const TriangleMesh& pie
 
 /// The part of the surface below the plane, open along it and without faces in it. Vertices of the piece keep their
 /// numbers.
-TriangleMesh surface_below(const TriangleMesh& piece, const HalfSpace& plane, const std::vector<double>& heights) {
-  TriangleMesh side{piece.vertices, {}};
+geometry::TriangleMesh surface_below(const geometry::TriangleMesh& piece, const HalfSpace& plane,
+                                     const std::vector<double>& heights) {
+  geometry::TriangleMesh side{piece.vertices, {}};
   const auto height = [&](int v) { return heights[v]; };
   std::map<std::pair<int, int>, int> crossings;
   const auto crossing = [&](int a, int b) {
@@ -74,7 +75,7 @@ TriangleMesh surface_below(const TriangleMesh& piece, const HalfSpace& plane, co
 }
 
 /// Edges in the plane that only one triangle has.
-std::vector<std::pair<int, int>> rim_of(const TriangleMesh& side, const std::vector<double>& heights) {
+std::vector<std::pair<int, int>> rim_of(const geometry::TriangleMesh& side, const std::vector<double>& heights) {
   const auto on_plane = [&](int v) {
     const auto k = static_cast<std::size_t>(v);
     return k >= heights.size() || heights[k] == 0;
@@ -107,7 +108,7 @@ void mark_inside(CapTriangulation& cap) {
 }
 
 /// Adds the cap in the plane that closes the side; it faces along the plane's normal.
-void add_cap(TriangleMesh& side, const HalfSpace& plane, const std::vector<std::pair<int, int>>& rim) {
+void add_cap(geometry::TriangleMesh& side, const HalfSpace& plane, const std::vector<std::pair<int, int>>& rim) {
   const Vec3 across = plane.normal.unitOrthogonal(), up = plane.normal.cross(across);
   CapTriangulation cap;
   const auto insert = [&](int v) {
@@ -136,11 +137,11 @@ void add_cap(TriangleMesh& side, const HalfSpace& plane, const std::vector<std::
 }
 
 /// Sets of triangles connected by edges, each with the vertices that it uses.
-std::vector<TriangleMesh> connected(const TriangleMesh& mesh) {
+std::vector<geometry::TriangleMesh> connected(const geometry::TriangleMesh& mesh) {
   UnionFind joined(mesh.triangles.size());
   for (const auto& edge : shared_edges(mesh)) joined.join(edge.left, edge.right);
   std::map<std::size_t, std::size_t> place;
-  std::vector<TriangleMesh> parts;
+  std::vector<geometry::TriangleMesh> parts;
   std::vector<std::vector<int>> numbers;
   for (std::size_t t = 0; t < joined.size(); ++t) {
     const auto [found, fresh] = place.try_emplace(joined.find(t), parts.size());
@@ -148,7 +149,7 @@ std::vector<TriangleMesh> connected(const TriangleMesh& mesh) {
       parts.emplace_back();
       numbers.emplace_back(mesh.vertices.size(), -1);
     }
-    TriangleMesh& part = parts[found->second];
+    geometry::TriangleMesh& part = parts[found->second];
     std::array<int, 3> corners = mesh.triangles[t];
     for (int& v : corners) {
       int& number = numbers[found->second][v];
@@ -165,29 +166,30 @@ std::vector<TriangleMesh> connected(const TriangleMesh& mesh) {
 
 }  // namespace
 
-std::vector<TriangleMesh> below(const TriangleMesh& piece, const HalfSpace& plane) {
+std::vector<geometry::TriangleMesh> below(const geometry::TriangleMesh& piece, const HalfSpace& plane) {
   const std::vector<double> heights = heights_over(plane, piece);
   const auto [lowest, highest] = std::minmax_element(heights.begin(), heights.end());
   if (heights.empty() || *lowest >= 0 || *highest <= 0) return {};
-  TriangleMesh side = surface_below(piece, plane, heights);
+  geometry::TriangleMesh side = surface_below(piece, plane, heights);
   add_cap(side, plane, rim_of(side, heights));
-  std::vector<TriangleMesh> parts = connected(side);
+  std::vector<geometry::TriangleMesh> parts = connected(side);
   constexpr double k_least_share = 1e-9;  // share of the piece: smaller slivers are rounding
-  const double least = k_least_share * signed_volume(piece);
-  std::erase_if(parts, [&](const TriangleMesh& part) { return !(signed_volume(part) > least); });
+  const double least = k_least_share * geometry::signed_volume(piece);
+  std::erase_if(parts, [&](const geometry::TriangleMesh& part) { return !(geometry::signed_volume(part) > least); });
   return parts;
 }
 
-std::vector<TriangleMesh> cut(const TriangleMesh& piece, const HalfSpace& plane) {
-  std::vector<TriangleMesh> pieces = below(piece, plane), above = below(piece, {-plane.normal, -plane.offset});
+std::vector<geometry::TriangleMesh> cut(const geometry::TriangleMesh& piece, const HalfSpace& plane) {
+  std::vector<geometry::TriangleMesh> pieces = below(piece, plane),
+                                      above = below(piece, {-plane.normal, -plane.offset});
   if (pieces.empty() || above.empty()) return {};
   for (auto& part : above) pieces.push_back(std::move(part));
-  const double whole = signed_volume(piece);
+  const double whole = geometry::signed_volume(piece);
   double volume = 0;
-  for (const auto& part : pieces) volume += signed_volume(part);
+  for (const auto& part : pieces) volume += geometry::signed_volume(part);
   constexpr double k_lost = 1e-5;  // share of the volume: a cut that loses more has failed
   if (std::abs(volume - whole) > k_lost * whole) return {};
   return pieces;
 }
 
-}  // namespace nilas
+}  // namespace nilas::mesh

@@ -11,26 +11,26 @@
 #include "core/mesh/decompose/surface_distance.h"
 #include "core/mesh/mend/surface_mesh.h"
 
-namespace nilas {
+namespace nilas::mesh {
 
 namespace {
 
 /// Convex hull of a piece, or of several.
 struct Part {
-  TriangleMesh hull;
+  geometry::TriangleMesh hull;
   double deviation = 0;  ///< largest distance found of the hull outside the whole mesh [m]
 };
 
 /// A piece of the solid with its convex hull.
 struct Piece : Part {
-  TriangleMesh solid;
+  geometry::TriangleMesh solid;
   bool whole = false;  ///< true if no plane was found that cuts it
 };
 
 /// Grid spacing [m], finer than float32 except for the smallest coordinates. Without the grid, those and remainders of
 /// zeros would make corners that are not exactly in line.
-double grid_for(const TriangleMesh& mesh) {
-  const auto box = box_of(mesh);
+double grid_for(const geometry::TriangleMesh& mesh) {
+  const auto box = geometry::box_of(mesh);
   constexpr int k_bits = 26;
   const double reach = std::max(box.max().cwiseAbs().maxCoeff(), box.min().cwiseAbs().maxCoeff());
   return std::exp2(std::ceil(std::log2(reach)) - k_bits);
@@ -42,8 +42,8 @@ Part mirrored(Part part) {
   return part;
 }
 
-std::vector<TriangleMesh> hulls_of(std::vector<Part> parts) {
-  std::vector<TriangleMesh> hulls;
+std::vector<geometry::TriangleMesh> hulls_of(std::vector<Part> parts) {
+  std::vector<geometry::TriangleMesh> hulls;
   for (auto& part : parts) hulls.push_back(std::move(part.hull));
   return hulls;
 }
@@ -51,7 +51,7 @@ std::vector<TriangleMesh> hulls_of(std::vector<Part> parts) {
 double twice_area(const Corners& t) { return (t[1] - t[0]).cross(t[2] - t[0]).norm(); }
 
 /// Vertices furthest along each axis, both ways.
-std::array<Vec3, 6> extremes(const TriangleMesh& hull) {
+std::array<Vec3, 6> extremes(const geometry::TriangleMesh& hull) {
   std::array<Vec3, 6> found;
   for (std::size_t k = 0; k < found.size(); ++k) {
     const auto axis = static_cast<Eigen::Index>(k % 3);
@@ -70,8 +70,9 @@ void add_count(const PartCount& row, std::vector<PartCount>& table) {
 
 class Decomposition {
  public:
-  Decomposition(const TriangleMesh& mesh, const PartSettings& settings) : settings_(settings), mesh_(corners_of(mesh)) {
-    const auto box = box_of(mesh);
+  Decomposition(const geometry::TriangleMesh& mesh, const PartSettings& settings)
+      : settings_(settings), mesh_(corners_of(mesh)) {
+    const auto box = geometry::box_of(mesh);
     grid_ = grid_for(mesh);
     skin_ = k_skin * box.sizes().maxCoeff();
     diagonal_ = box.diagonal().norm();
@@ -154,11 +155,11 @@ class Decomposition {
     return std::max(bridged, mesh_.largest(mesh_.without_shared_faces({large, faces.end()}, skin_), search).largest);
   }
   /// Convex hull of the corners in stored precision, so that the written piece is exactly convex.
-  TriangleMesh stored_hull(std::vector<Vec3> points) const {
+  geometry::TriangleMesh stored_hull(std::vector<Vec3> points) const {
     for (auto& p : points) p = grid_ * (p / grid_).array().round();
-    return convex_hull(rounded_to_float({std::move(points), {}}).vertices);
+    return convex_hull(geometry::rounded_to_float({std::move(points), {}}).vertices);
   }
-  Piece made(TriangleMesh solid, double ceiling = std::numeric_limits<double>::infinity()) const {
+  Piece made(geometry::TriangleMesh solid, double ceiling = std::numeric_limits<double>::infinity()) const {
     Piece piece;
     piece.hull = stored_hull(solid.vertices);
     piece.deviation = piece.hull.triangles.empty() ? 0 : deviation(piece, target_, ceiling);
@@ -196,7 +197,7 @@ class Decomposition {
   };
 
   /// Tries a cut. The result has no sides where the plane cuts nothing off. Deviations above `ceiling` are not exact.
-  Cut tried(const TriangleMesh& solid, const HalfSpace& plane, double ceiling) const {
+  Cut tried(const geometry::TriangleMesh& solid, const HalfSpace& plane, double ceiling) const {
     Cut found;
     std::pair<double, double> merit{0, 0};
     for (auto& side : cut(solid, plane)) {
@@ -298,7 +299,7 @@ class Decomposition {
   }
 
   static bool near(const Part& a, const Part& b, double reach) {
-    return box_of(a.hull).exteriorDistance(box_of(b.hull)) <= reach;
+    return geometry::box_of(a.hull).exteriorDistance(geometry::box_of(b.hull)) <= reach;
   }
 
   struct Pair {
@@ -355,7 +356,7 @@ constexpr double k_measured = 0.05;  // share of the tolerance: precision of the
 
 }  // namespace
 
-ConvexParts decompose(const TriangleMesh& mesh, const PartSettings& settings) {
+ConvexParts decompose(const geometry::TriangleMesh& mesh, const PartSettings& settings) {
   NILAS_DEMAND(settings.tolerance > 0 && settings.most > 0);
   return by_cgal("the mesh could not be cut into convex parts", [&] {
     Decomposition decomposition(mesh, settings);
@@ -375,4 +376,4 @@ ConvexParts decompose(const TriangleMesh& mesh, const PartSettings& settings) {
   });
 }
 
-}  // namespace nilas
+}  // namespace nilas::mesh

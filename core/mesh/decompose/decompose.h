@@ -2,7 +2,7 @@
 /// Decomposition of a closed mesh into convex pieces, for contact.
 #include "core/geometry/mesh.h"
 
-namespace nilas {
+namespace nilas::mesh {
 
 /// Requirements for the convex pieces.
 struct PartSettings {
@@ -27,7 +27,7 @@ struct PartCount {
 
 /// A mesh as convex pieces, and their deviation from it.
 struct ConvexParts {
-  std::vector<TriangleMesh> parts;  ///< convex pieces with coordinates as stored in binary STL
+  std::vector<geometry::TriangleMesh> parts;  ///< convex pieces with coordinates as stored in binary STL
   Deviation deviation;
   std::vector<PartCount> table;  ///< upper bound, within a tenth, of the deviation of fewer pieces, and that of these
 };
@@ -37,16 +37,17 @@ struct ConvexParts {
 /// the tolerance. Where too many pieces remain, joins them beyond the tolerance too. The mesh must be closed, outward
 /// and free of crossings. Throws InputError where CGAL cannot cut it, or where the pieces cannot be joined. Throws
 /// ContractError unless tolerance and number are positive.
-ConvexParts decompose(const TriangleMesh& mesh, const PartSettings& settings);
+ConvexParts decompose(const geometry::TriangleMesh& mesh, const PartSettings& settings);
 
 /// Distance in both directions between the surface of the union of convex pieces and a closed mesh, to within
 /// `precision` [m]. Faces closer than 1e-6 of the size to the inside of another piece count as covered.
-Deviation deviation_of(const std::vector<TriangleMesh>& parts, const TriangleMesh& mesh, double precision);
+Deviation deviation_of(const std::vector<geometry::TriangleMesh>& parts, const geometry::TriangleMesh& mesh,
+                       double precision);
 
 /// A mesh is symmetric where asymmetry() is at most this share of its longest side: drawings round their coordinates.
 inline constexpr double k_symmetric_share = 1e-5;
 
 /// Largest distance of the mesh from its mirror image in y = 0, within 2 % and three millionths of its size [m].
-double asymmetry(const TriangleMesh& mesh);
+double asymmetry(const geometry::TriangleMesh& mesh);
 
-}  // namespace nilas
+}  // namespace nilas::mesh

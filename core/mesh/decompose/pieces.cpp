@@ -8,7 +8,7 @@
 #include "core/geometry/weld.h"
 #include "core/mesh/mend/surface_mesh.h"
 
-namespace nilas {
+namespace nilas::mesh {
 
 namespace {
 
@@ -58,7 +58,7 @@ std::vector<std::vector<Vec3>> outlines(const SurfaceMesh& hull) {
 
 }  // namespace
 
-TriangleMesh convex_hull(const std::vector<Vec3>& points) {
+geometry::TriangleMesh convex_hull(const std::vector<Vec3>& points) {
   if (points.size() < 4) return {};
   std::vector<Kernel::Point_3> given;
   for (const auto& p : points) given.push_back(to_point(p));
@@ -70,13 +70,13 @@ TriangleMesh convex_hull(const std::vector<Vec3>& points) {
   std::sort(loops.begin(), loops.end(), [](const auto& a, const auto& b) {
     return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(), comes_before);
   });
-  Weld weld;
+  geometry::Weld weld;
   for (const auto& loop : loops)
     for (std::size_t k = 1; k + 1 < loop.size(); ++k) weld.add({loop[0], loop[k], loop[k + 1]});
   return weld.take();
 }
 
-std::vector<SharedEdge> shared_edges(const TriangleMesh& mesh) {
+std::vector<SharedEdge> shared_edges(const geometry::TriangleMesh& mesh) {
   struct Use {
     int low, high;
     bool back;
@@ -102,4 +102,4 @@ std::vector<SharedEdge> shared_edges(const TriangleMesh& mesh) {
   return edges;
 }
 
-}  // namespace nilas
+}  // namespace nilas::mesh

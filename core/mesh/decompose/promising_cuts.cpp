@@ -8,7 +8,7 @@
 #include "core/geometry/mesh_box.h"
 #include "core/mesh/decompose/pieces.h"
 
-namespace nilas {
+namespace nilas::mesh {
 
 namespace {
 
@@ -21,7 +21,7 @@ struct HollowEdge {
 
 Vec3 normal_of(const Corners& c) { return (c[1] - c[0]).cross(c[2] - c[0]).normalized(); }
 
-std::vector<HollowEdge> hollow_edges(const TriangleMesh& piece, const std::vector<SharedEdge>& edges) {
+std::vector<HollowEdge> hollow_edges(const geometry::TriangleMesh& piece, const std::vector<SharedEdge>& edges) {
   constexpr double k_sharp = 0.05;  // [rad]: less is a curve in facets
   const std::vector<Corners> corners = corners_of(piece);
   std::vector<HollowEdge> found;
@@ -40,9 +40,9 @@ std::vector<HollowEdge> hollow_edges(const TriangleMesh& piece, const std::vecto
 
 HalfSpace across(int axis, double place) { return {Vec3::Unit(axis), place}; }
 
-void add_even(const TriangleMesh& piece, std::vector<HalfSpace>& planes) {
+void add_even(const geometry::TriangleMesh& piece, std::vector<HalfSpace>& planes) {
   constexpr int k_slices = 12;
-  const auto box = box_of(piece);
+  const auto box = geometry::box_of(piece);
   for (int axis = 0; axis < 3; ++axis)
     for (int k = 1; k < k_slices; ++k)
       planes.push_back(across(axis, box.min()[axis] + box.sizes()[axis] * k / k_slices));
@@ -68,7 +68,7 @@ void add_hollow(const std::vector<HollowEdge>& edges, std::vector<HalfSpace>& pl
 using Ends = std::vector<std::pair<Vec3, Vec3>>;
 
 /// Ends of a sample of a piece's edges: of all, or of every n-th where there are more than `most`.
-Ends sample_edges(const TriangleMesh& piece, const std::vector<SharedEdge>& edges, std::size_t most) {
+Ends sample_edges(const geometry::TriangleMesh& piece, const std::vector<SharedEdge>& edges, std::size_t most) {
   const std::size_t stride = 1 + edges.size() / most;
   Ends ends;
   for (std::size_t k = 0; k < edges.size(); k += stride)
@@ -89,7 +89,7 @@ double volume_of_sides(const Ends& edges, const HalfSpace& plane, double skin) {
       if (std::min(ha, hb) < -skin && std::max(ha, hb) > skin) side->push_back(a + (ha / (ha - hb)) * (b - a));
     }
   }
-  const double below = signed_volume(convex_hull(low)), above = signed_volume(convex_hull(high));
+  const double below = geometry::signed_volume(convex_hull(low)), above = geometry::signed_volume(convex_hull(high));
   return below > 0 && above > 0 ? below + above : std::numeric_limits<double>::infinity();
 }
 
@@ -110,16 +110,16 @@ std::vector<HalfSpace> best_of(const std::vector<HalfSpace>& planes, const Ends&
 
 }  // namespace
 
-std::vector<HalfSpace> promising_cuts(const TriangleMesh& piece, std::size_t most, int threads) {
+std::vector<HalfSpace> promising_cuts(const geometry::TriangleMesh& piece, std::size_t most, int threads) {
   constexpr std::size_t k_rough = 150, k_fine = 600, k_kept = 16;  // edges, and planes between the two rounds
   constexpr double k_skin = 1e-6;                                  // share of the size
   const std::vector<SharedEdge> edges = shared_edges(piece);
   std::vector<HalfSpace> planes;
   add_even(piece, planes);
   add_hollow(hollow_edges(piece, edges), planes);
-  const double skin = k_skin * box_of(piece).sizes().maxCoeff();
+  const double skin = k_skin * geometry::box_of(piece).sizes().maxCoeff();
   if (edges.size() > k_rough) planes = best_of(planes, sample_edges(piece, edges, k_rough), skin, k_kept, threads);
   return best_of(planes, sample_edges(piece, edges, k_fine), skin, most, threads);
 }
 
-}  // namespace nilas
+}  // namespace nilas::mesh

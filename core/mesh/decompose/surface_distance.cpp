@@ -10,7 +10,7 @@
 #include "core/geometry/mesh_box.h"
 #include "core/mesh/decompose/union_surface.h"
 
-namespace nilas {
+namespace nilas::mesh {
 
 namespace {
 
@@ -43,7 +43,7 @@ std::array<Corners, 2> halves(const Corners& t) {
 
 }  // namespace
 
-std::vector<Corners> corners_of(const TriangleMesh& mesh) {
+std::vector<Corners> corners_of(const geometry::TriangleMesh& mesh) {
   std::vector<Corners> out;
   for (const auto& t : mesh.triangles) {
     Corners& c = out.emplace_back();
@@ -190,10 +190,10 @@ Deviation SurfaceDistance::largest(const std::vector<Corners>& triangles, const 
   return found;
 }
 
-double asymmetry(const TriangleMesh& mesh) {
+double asymmetry(const geometry::TriangleMesh& mesh) {
   constexpr double k_skin = 1e-6, k_precision = 2e-6,
                    k_slack = 0.02;  // two shares of the size, and a share of the found distance
-  const double size = box_of(mesh).sizes().maxCoeff();
+  const double size = geometry::box_of(mesh).sizes().maxCoeff();
   std::vector<Corners> images = corners_of(mesh);
   const SurfaceDistance surface(images);
   double corners = 0;
@@ -207,4 +207,4 @@ double asymmetry(const TriangleMesh& mesh) {
   return std::max(corners, surface.largest(surface.without_shared_faces(images, k_skin * size), search).largest);
 }
 
-}  // namespace nilas
+}  // namespace nilas::mesh

@@ -5,13 +5,13 @@
 
 #include "core/mesh/decompose/decompose.h"
 
-namespace nilas {
+namespace nilas::mesh {
 
 /// Corners of a triangle [m].
 using Corners = std::array<Vec3, 3>;
 
 /// The triangles of a mesh by their corners, with their winding [m].
-std::vector<Corners> corners_of(const TriangleMesh& mesh);
+std::vector<Corners> corners_of(const geometry::TriangleMesh& mesh);
 
 /// Settings of the search for the largest distance over all points of some triangles.
 struct DistanceSearch {
@@ -47,4 +47,4 @@ class SurfaceDistance {
   std::unique_ptr<Tree> tree_;
 };
 
-}  // namespace nilas
+}  // namespace nilas::mesh

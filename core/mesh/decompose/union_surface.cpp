@@ -2,13 +2,13 @@
 
 #include "core/geometry/mesh_box.h"
 
-namespace nilas {
+namespace nilas::mesh {
 
 namespace {
 
 /// A convex piece as planes and box.
 struct Region {
-  Region(const TriangleMesh& part, double grown) : box(box_of(part)) {
+  Region(const geometry::TriangleMesh& part, double grown) : box(geometry::box_of(part)) {
     constexpr double k_same = 1e-9;  // share of the normal: triangles of one plane
     for (const auto& c : corners_of(part)) {
       const Vec3 n = (c[1] - c[0]).cross(c[2] - c[0]).normalized();
@@ -70,7 +70,7 @@ void subtract(const Loop& polygon, const Vec3& shift, const std::vector<HalfSpac
     if (piece.size() >= 3) outside.push_back(std::move(piece));
 }
 
-std::vector<Corners> union_surface(const std::vector<TriangleMesh>& parts, double skin) {
+std::vector<Corners> union_surface(const std::vector<geometry::TriangleMesh>& parts, double skin) {
   constexpr double k_out = 3;
   std::vector<Region> regions;
   for (const auto& part : parts) regions.emplace_back(part, skin);
@@ -98,9 +98,10 @@ std::vector<Corners> union_surface(const std::vector<TriangleMesh>& parts, doubl
   return surface;
 }
 
-Deviation deviation_of(const std::vector<TriangleMesh>& parts, const TriangleMesh& mesh, double precision) {
+Deviation deviation_of(const std::vector<geometry::TriangleMesh>& parts, const geometry::TriangleMesh& mesh,
+                       double precision) {
   constexpr double k_skin = 1e-6;  // of the size: some times the rounding of coordinates in STL files
-  const double skin = k_skin * box_of(mesh).sizes().maxCoeff();
+  const double skin = k_skin * geometry::box_of(mesh).sizes().maxCoeff();
   const auto whole = corners_of(mesh), united = union_surface(parts, skin);
   const SurfaceDistance from_mesh(whole), from_union(united);
   const Deviation outwards = from_mesh.largest(from_mesh.without_shared_faces(united, skin), {.precision = precision});
@@ -112,4 +113,4 @@ Deviation deviation_of(const std::vector<TriangleMesh>& parts, const TriangleMes
   return back;
 }
 
-}  // namespace nilas
+}  // namespace nilas::mesh

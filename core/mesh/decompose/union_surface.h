@@ -2,7 +2,7 @@
 /// The surface of a union of convex pieces.
 #include "core/mesh/decompose/surface_distance.h"
 
-namespace nilas {
+namespace nilas::mesh {
 
 using Loop = std::vector<Vec3>;  ///< convex plane polygon
 
@@ -20,6 +20,6 @@ void subtract(const Loop& polygon, const Vec3& shift, const std::vector<HalfSpac
 
 /// Triangles of the pieces' faces, without areas inside another piece or against its face. Faces closer than `skin` [m]
 /// count as touching.
-std::vector<Corners> union_surface(const std::vector<TriangleMesh>& parts, double skin);
+std::vector<Corners> union_surface(const std::vector<geometry::TriangleMesh>& parts, double skin);
 
-}  // namespace nilas
+}  // namespace nilas::mesh

@@ -11,7 +11,7 @@
 
 #include "core/mesh/mend/surface_mesh.h"
 
-namespace nilas {
+namespace nilas::mesh {
 
 namespace {
 
@@ -53,7 +53,7 @@ void join_borders(WeldedSoup& welded, double gap, MendedMesh& notes) {
   const auto tolerance = CGAL::Constant_property_map<SurfaceMesh::Vertex_index, double>(gap);
   PMP::experimental::snap_borders(mesh, tolerance);
   mesh.collect_garbage();
-  const TriangleMesh loose = triangles_of(mesh);
+  const geometry::TriangleMesh loose = triangles_of(mesh);
   PolygonSoup soup{loose.vertices, {}};
   for (const auto& t : loose.triangles) soup.polygons.push_back({t[0], t[1], t[2]});
   welded = mesh_of_soup(soup, gap, false, notes);
@@ -155,4 +155,4 @@ void close_borders(WeldedSoup& welded, const MendSettings& settings, MendedMesh&
   welded.mesh.collect_garbage();
 }
 
-}  // namespace nilas
+}  // namespace nilas::mesh

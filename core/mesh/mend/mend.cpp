@@ -8,14 +8,14 @@
 #include "core/geometry/weld.h"
 #include "core/mesh/mend/surface_mesh.h"
 
-namespace nilas {
+namespace nilas::mesh {
 
 namespace {
 
 /// The mesh as it will be read back from the written file.
-TriangleMesh as_stored(const SurfaceMesh& mesh) {
-  const TriangleMesh rounded = rounded_to_float(triangles_of(mesh));
-  Weld weld;
+geometry::TriangleMesh as_stored(const SurfaceMesh& mesh) {
+  const geometry::TriangleMesh rounded = geometry::rounded_to_float(triangles_of(mesh));
+  geometry::Weld weld;
   for (const auto& t : rounded.triangles) {
     std::array<Vec3, 3> corners;
     for (std::size_t k = 0; k < 3; ++k) corners[k] = rounded.vertices[t[k]];
@@ -25,19 +25,20 @@ TriangleMesh as_stored(const SurfaceMesh& mesh) {
 }
 
 /// One pass of all steps. The mesh may still have faults that the final rounding causes.
-TriangleMesh remade(const PolygonSoup& soup, const MendSettings& settings, bool backs_are_copies, MendedMesh& notes) {
+geometry::TriangleMesh remade(const PolygonSoup& soup, const MendSettings& settings, bool backs_are_copies,
+                              MendedMesh& notes) {
   WeldedSoup welded = mesh_of_soup(soup, settings.gap, backs_are_copies, notes);
   close_borders(welded, settings, notes);
   if (notes.open.empty()) resolve_shells(welded.mesh, notes);
-  TriangleMesh mesh = as_stored(welded.mesh);
+  geometry::TriangleMesh mesh = as_stored(welded.mesh);
   if (notes.open.empty() && mesh.triangles.empty()) throw InputError(k_nothing_left);
   return mesh;
 }
 
 /// The faults that keep a mesh from being that of a solid, with their places.
-std::vector<MeshNote> faults_of(const TriangleMesh& mesh) {
+std::vector<MeshNote> faults_of(const geometry::TriangleMesh& mesh) {
   std::vector<MeshNote> faults;
-  if (const MeshDefects left = find_defects(mesh); !left.sound()) {
+  if (const geometry::MeshDefects left = geometry::find_defects(mesh); !left.sound()) {
     add_note(faults, left.text(), 1, {left.example});
     return faults;
   }
@@ -146,4 +147,4 @@ MendedMesh mend(const PolygonSoup& given, const MendSettings& settings) {
   return std::move(*plain.mesh);
 }
 
-}  // namespace nilas
+}  // namespace nilas::mesh

@@ -5,7 +5,7 @@
 #include "core/geometry/mesh.h"
 #include "core/mesh/mend/polygon_soup.h"
 
-namespace nilas {
+namespace nilas::mesh {
 
 /// One kind of fault with its places: mended, or not mendable.
 struct MeshNote {
@@ -23,9 +23,9 @@ struct MendSettings {
 
 /// The result of mending, with an account of the faults.
 struct MendedMesh {
-  TriangleMesh mesh;           ///< mended mesh; sound if `open` is empty
-  std::vector<MeshNote> done;  ///< mended faults, in the order of mending
-  std::vector<MeshNote> open;  ///< remaining faults
+  geometry::TriangleMesh mesh;  ///< mended mesh; sound if `open` is empty
+  std::vector<MeshNote> done;   ///< mended faults, in the order of mending
+  std::vector<MeshNote> open;   ///< remaining faults
 };
 
 /// Welds, drops faces that are double or without area, winds all faces alike and outward, closes T-junctions, cracks
@@ -34,4 +34,4 @@ struct MendedMesh {
 /// corners, or where CGAL fails. Throws ContractError unless the gap is positive.
 MendedMesh mend(const PolygonSoup& soup, const MendSettings& settings);
 
-}  // namespace nilas
+}  // namespace nilas::mesh

@@ -5,7 +5,7 @@
 
 #include "core/base/math.h"
 
-namespace nilas {
+namespace nilas::mesh {
 
 /// Polygons that need not fit together: gaps, doubles and any winding are allowed.
 struct PolygonSoup {
@@ -18,4 +18,4 @@ struct PolygonSoup {
 /// wrong or cut short, numbers not finite, indices that name no point, no polygons.
 PolygonSoup read_polygons(const std::filesystem::path& file);
 
-}  // namespace nilas
+}  // namespace nilas::mesh

@@ -6,7 +6,7 @@
 #include "core/geometry/mesh_words.h"
 #include "core/mesh/mend/soup_formats.h"
 
-namespace nilas {
+namespace nilas::mesh {
 
 namespace {
 
@@ -22,7 +22,7 @@ bool is_keyword(std::string_view word) {
 }
 
 /// Other statements say nothing about polygons, and no list of them is complete.
-void pass_over(MeshWords& words, std::string_view keyword) {
+void pass_over(geometry::MeshWords& words, std::string_view keyword) {
   if (!is_keyword(keyword)) words.fail("a statement such as v or f", keyword);
   if (std::find(k_named.begin(), k_named.end(), keyword) != k_named.end())
     words.skip_line();
@@ -31,7 +31,7 @@ void pass_over(MeshWords& words, std::string_view keyword) {
 }
 
 /// A corner such as 7, 7/1, 7//3 or -1 (the newest vertex). Counts from 1.
-int corner(const MeshWords& words, std::string_view text, std::size_t points) {
+int corner(const geometry::MeshWords& words, std::string_view text, std::size_t points) {
   const long long index = words.integer(text.substr(0, text.find('/')));
   const long long count = static_cast<long long>(points);
   const long long place = index < 0 ? count + index : index - 1;
@@ -40,7 +40,7 @@ int corner(const MeshWords& words, std::string_view text, std::size_t points) {
   return static_cast<int>(place);
 }
 
-void read_face(MeshWords& words, PolygonSoup& soup) {
+void read_face(geometry::MeshWords& words, PolygonSoup& soup) {
   auto& loop = soup.polygons.emplace_back();
   for (auto word = words.next_on_line(); !word.empty(); word = words.next_on_line())
     loop.push_back(corner(words, word, soup.points.size()));
@@ -51,7 +51,7 @@ void read_face(MeshWords& words, PolygonSoup& soup) {
 
 PolygonSoup parse_obj(const std::string& text, const std::string& file) {
   PolygonSoup soup;
-  MeshWords words(text, file, {.comment = '#', .joined = true});
+  geometry::MeshWords words(text, file, {.comment = '#', .joined = true});
   for (auto word = words.next(); !word.empty(); word = words.next()) {
     if (word == "v") {
       Vec3 p;
@@ -67,4 +67,4 @@ PolygonSoup parse_obj(const std::string& text, const std::string& file) {
   return soup;
 }
 
-}  // namespace nilas
+}  // namespace nilas::mesh

@@ -4,12 +4,12 @@
 #include "core/geometry/mesh_words.h"
 #include "core/mesh/mend/soup_formats.h"
 
-namespace nilas {
+namespace nilas::mesh {
 
 namespace {
 
 /// Counts are only promises: each element takes at least two bytes, so a file cannot hold more than its size.
-std::size_t count(const MeshWords& words, std::string_view word, const std::string& text) {
+std::size_t count(const geometry::MeshWords& words, std::string_view word, const std::string& text) {
   const long long n = words.integer(word);
   if (n < 0 || static_cast<unsigned long long>(n) > text.size())
     words.fail("a count that a file of " + std::to_string(text.size()) + " bytes can hold", word);
@@ -17,7 +17,7 @@ std::size_t count(const MeshWords& words, std::string_view word, const std::stri
 }
 
 /// The word after the keyword, which may be left out.
-std::string_view after_header(MeshWords& words) {
+std::string_view after_header(geometry::MeshWords& words) {
   const std::string_view word = words.next();
   if (!word.empty() && word.find_first_not_of("0123456789") == std::string_view::npos) return word;
   // coordinates come first whatever follows them
@@ -28,7 +28,7 @@ std::string_view after_header(MeshWords& words) {
   return first;
 }
 
-void read_face(MeshWords& words, PolygonSoup& soup) {
+void read_face(geometry::MeshWords& words, PolygonSoup& soup) {
   const auto corners = words.next();
   const long long n = words.integer(corners);
   if (n < 3) words.fail("at least three corners of a face", corners);
@@ -47,7 +47,7 @@ void read_face(MeshWords& words, PolygonSoup& soup) {
 
 PolygonSoup parse_off(const std::string& text, const std::string& file) {
   PolygonSoup soup;
-  MeshWords words(text, file, {.comment = '#'});
+  geometry::MeshWords words(text, file, {.comment = '#'});
   const std::size_t vertices = count(words, after_header(words), text), faces = count(words, words.next(), text);
   words.integer();  // edges, which nobody needs
   for (std::size_t v = 0; v < vertices; ++v) {
@@ -61,4 +61,4 @@ PolygonSoup parse_off(const std::string& text, const std::string& file) {
   return soup;
 }
 
-}  // namespace nilas
+}  // namespace nilas::mesh

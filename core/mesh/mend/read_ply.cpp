@@ -11,7 +11,7 @@
 #include "core/geometry/mesh_words.h"
 #include "core/mesh/mend/soup_formats.h"
 
-namespace nilas {
+namespace nilas::mesh {
 
 namespace {
 
@@ -36,7 +36,7 @@ struct Header {
   std::vector<Element> elements;
 };
 
-Number number_type(const MeshWords& words, std::string_view word) {
+Number number_type(const geometry::MeshWords& words, std::string_view word) {
   static const std::map<std::string_view, Number> types{
       {"char", Number::i8},   {"int8", Number::i8},     {"uchar", Number::u8},   {"uint8", Number::u8},
       {"short", Number::i16}, {"int16", Number::i16},   {"ushort", Number::u16}, {"uint16", Number::u16},
@@ -47,7 +47,7 @@ Number number_type(const MeshWords& words, std::string_view word) {
   return found->second;
 }
 
-Property read_property(MeshWords& words) {
+Property read_property(geometry::MeshWords& words) {
   Property p;
   auto word = words.next_on_line();
   if (word == "list") {
@@ -59,7 +59,7 @@ Property read_property(MeshWords& words) {
   return p;
 }
 
-void read_format(MeshWords& words, Header& header) {
+void read_format(geometry::MeshWords& words, Header& header) {
   const auto word = words.next_on_line();
   header.text = word == "ascii";
   header.swapped = word == "binary_big_endian";
@@ -67,7 +67,7 @@ void read_format(MeshWords& words, Header& header) {
     words.fail("ascii, binary_little_endian or binary_big_endian", word);
 }
 
-void demand_places(const Header& header, const MeshWords& words) {
+void demand_places(const Header& header, const geometry::MeshWords& words) {
   for (const char* axis : {"x", "y", "z"}) {
     const auto names_axis = [&](const Property& p) { return p.name == axis && !p.length; };
     const auto gives_axis = [&](const Element& e) {
@@ -80,7 +80,7 @@ void demand_places(const Header& header, const MeshWords& words) {
 
 Header read_header(const std::string& text, const std::string& file) {
   Header header;
-  MeshWords words(text, file);
+  geometry::MeshWords words(text, file);
   if (const auto magic = words.next(); magic != "ply") words.fail("ply", magic);
   bool has_format = false;
   for (auto word = words.next(); !word.empty(); word = words.next()) {
@@ -116,7 +116,7 @@ class TextData {
   [[noreturn]] void fail(const std::string& what) const { words_.fail(what, word_); }
 
  private:
-  MeshWords words_;
+  geometry::MeshWords words_;
   std::string_view word_;
 };
 
@@ -269,4 +269,4 @@ PolygonSoup parse_ply(const std::string& bytes, const std::string& file) {
   return read_data(BinaryData(data, start, header.swapped, file), header);
 }
 
-}  // namespace nilas
+}  // namespace nilas::mesh

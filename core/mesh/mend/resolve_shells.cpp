@@ -12,7 +12,7 @@
 
 #include "core/mesh/mend/surface_mesh.h"
 
-namespace nilas {
+namespace nilas::mesh {
 
 namespace {
 
@@ -160,4 +160,4 @@ void resolve_shells(SurfaceMesh& mesh, MendedMesh& notes) {
   for (const auto& shell : shells) CGAL::copy_face_graph(shell, mesh);
 }
 
-}  // namespace nilas
+}  // namespace nilas::mesh

@@ -8,11 +8,11 @@
 
 #include "core/mesh/mend/polygon_soup.h"
 
-namespace nilas {
+namespace nilas::mesh {
 
 /// Each takes the whole file and its name for messages; throws as read_polygons() does.
 PolygonSoup parse_obj(const std::string& text, const std::string& file);
 PolygonSoup parse_off(const std::string& text, const std::string& file);
 PolygonSoup parse_ply(const std::string& bytes, const std::string& file);
 
-}  // namespace nilas
+}  // namespace nilas::mesh

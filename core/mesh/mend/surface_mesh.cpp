@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <map>
 
-namespace nilas {
+namespace nilas::mesh {
 
 void silence_cgal() {
   CGAL::set_error_handler([](const char*, const char*, const char*, int, const char*) {});
 }
 
-TriangleMesh triangles_of(const SurfaceMesh& mesh) {
-  TriangleMesh out;
+geometry::TriangleMesh triangles_of(const SurfaceMesh& mesh) {
+  geometry::TriangleMesh out;
   std::vector<int> number(mesh.num_vertices() + mesh.number_of_removed_vertices(), -1);
   for (const auto v : mesh.vertices()) {
     number[v] = static_cast<int>(out.vertices.size());
@@ -25,7 +25,7 @@ TriangleMesh triangles_of(const SurfaceMesh& mesh) {
   return out;
 }
 
-std::vector<Vec3> pinched_vertices(const TriangleMesh& mesh) {
+std::vector<Vec3> pinched_vertices(const geometry::TriangleMesh& mesh) {
   std::vector<std::map<int, int>> around(mesh.vertices.size());  // from each neighbour to the next
   for (const auto& t : mesh.triangles)
     for (std::size_t k = 0; k < 3; ++k) around[t[k]][t[(k + 1) % 3]] = t[(k + 2) % 3];
@@ -42,7 +42,7 @@ std::vector<Vec3> pinched_vertices(const TriangleMesh& mesh) {
   return pinched;
 }
 
-SurfaceMesh surface_of(const TriangleMesh& mesh) {
+SurfaceMesh surface_of(const geometry::TriangleMesh& mesh) {
   SurfaceMesh out;
   std::vector<SurfaceMesh::Vertex_index> vertices;
   for (const auto& p : mesh.vertices) vertices.push_back(out.add_vertex(to_point(p)));
@@ -71,4 +71,4 @@ void add_note(std::vector<MeshNote>& notes, std::string what, std::size_t count,
   note->places.insert(note->places.end(), places.begin(), places.begin() + static_cast<std::ptrdiff_t>(shown));
 }
 
-}  // namespace nilas
+}  // namespace nilas::mesh

@@ -6,7 +6,7 @@
 #include "core/base/error.h"
 #include "core/mesh/mend/mend.h"
 
-namespace nilas {
+namespace nilas::mesh {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using SurfaceMesh = CGAL::Surface_mesh<Kernel::Point_3>;
@@ -37,11 +37,11 @@ auto by_cgal(const char* failed, const Work& work) {
 }
 
 /// Vertices and triangles in the order of the mesh's indices.
-TriangleMesh triangles_of(const SurfaceMesh& mesh);
+geometry::TriangleMesh triangles_of(const SurfaceMesh& mesh);
 /// Vertices whose triangles are more than one fan: there the surface of a closed mesh touches itself.
-std::vector<Vec3> pinched_vertices(const TriangleMesh& mesh);
+std::vector<Vec3> pinched_vertices(const geometry::TriangleMesh& mesh);
 /// Throws ContractError where the triangles do not make a manifold; a vertex may not be pinched.
-SurfaceMesh surface_of(const TriangleMesh& mesh);
+SurfaceMesh surface_of(const geometry::TriangleMesh& mesh);
 /// Middle of a face's corners [m].
 Vec3 middle(const SurfaceMesh& mesh, SurfaceMesh::Face_index face);
 
@@ -68,4 +68,4 @@ void close_borders(WeldedSoup& welded, const MendSettings& settings, MendedMesh&
 /// Splits into shells, mends each, unites them; crossings that stay go to `open`. The mesh must be closed.
 void resolve_shells(SurfaceMesh& mesh, MendedMesh& notes);
 
-}  // namespace nilas
+}  // namespace nilas::mesh

@@ -10,7 +10,7 @@
 #include "core/base/union_find.h"
 #include "core/mesh/mend/surface_mesh.h"
 
-namespace nilas {
+namespace nilas::mesh {
 
 namespace {
 
@@ -245,4 +245,4 @@ WeldedSoup mesh_of_soup(const PolygonSoup& soup, double gap, bool backs_are_copi
   return welded;
 }
 
-}  // namespace nilas
+}  // namespace nilas::mesh

@@ -3,7 +3,7 @@
 #include <array>
 #include <charconv>
 
-namespace nilas {
+namespace nilas::output {
 
 namespace {
 
@@ -86,4 +86,4 @@ std::string csv_header(const std::vector<std::string>& names) {
   return std::string(row.line());
 }
 
-}  // namespace nilas
+}  // namespace nilas::output

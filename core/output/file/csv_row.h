@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace nilas {
+namespace nilas::output {
 
 class CsvRow {
  public:
@@ -35,4 +35,4 @@ class CsvRow {
 /// Comma-separated names with a line end.
 std::string csv_header(const std::vector<std::string>& names);
 
-}  // namespace nilas
+}  // namespace nilas::output

@@ -10,7 +10,7 @@
 
 #include "core/base/error.h"
 
-namespace nilas {
+namespace nilas::output {
 
 namespace {
 
@@ -107,4 +107,4 @@ void write_whole(const std::filesystem::path& path, std::string_view text) {
   }
 }
 
-}  // namespace nilas
+}  // namespace nilas::output

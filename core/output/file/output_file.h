@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-namespace nilas {
+namespace nilas::output {
 
 /// A text file that grows by complete pieces. Each piece reaches the operating system in one write, so it outlives a
 /// killed process. An optional tail (closing tags) follows the newest piece and is overwritten by the next one.
@@ -49,4 +49,4 @@ class OutputFile {
 /// Throws FileError.
 void write_whole(const std::filesystem::path& path, std::string_view text);
 
-}  // namespace nilas
+}  // namespace nilas::output

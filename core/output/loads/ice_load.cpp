@@ -2,7 +2,7 @@
 
 #include "core/output/loads/mean_error.h"
 
-namespace nilas {
+namespace nilas::output {
 
 bool IceLoad::impacts_dominate() const {
   constexpr double k_third = 1.0 / 3.0;
@@ -21,4 +21,4 @@ ComponentLoad component_load(const std::vector<double>& series, const LoadWindow
   return load;
 }
 
-}  // namespace nilas
+}  // namespace nilas::output

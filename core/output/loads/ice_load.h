@@ -10,7 +10,7 @@
 #include "core/output/loads/load_window.h"
 #include "core/output/loads/peak.h"
 
-namespace nilas {
+namespace nilas::output {
 
 /// One component of a load over a window.
 struct ComponentLoad {
@@ -61,4 +61,4 @@ struct StructureLoad {
   std::vector<std::pair<std::string, ComponentLoad>> loads;  ///< loads by column name, without the structure's name
 };
 
-}  // namespace nilas
+}  // namespace nilas::output

@@ -3,7 +3,7 @@
 #include "core/output/loads/ice_load_text.h"
 #include "core/output/loads/or_null.h"
 
-namespace nilas {
+namespace nilas::output {
 
 namespace {
 
@@ -25,13 +25,13 @@ Json component_json(const ComponentLoad& load, const std::string& unit) {
           {"event_to_s", peak.event_to}};
 }
 
-const char* course_text(CourseKind course) {
+const char* course_text(sim::CourseKind course) {
   switch (course) {
-    case CourseKind::carriage:
+    case sim::CourseKind::carriage:
       return "the direction in which the carriage moves";
-    case CourseKind::drift:
+    case sim::CourseKind::drift:
       return "against the drift of ice or water, since the vessel is fixed";
-    case CourseKind::heading:
+    case sim::CourseKind::heading:
       break;
   }
   return "the vessel's heading";
@@ -50,7 +50,7 @@ Json window_json(const LoadWindow& window) {
   return {{"from_s", window.from}, {"to_s", window.to}, {"steps", window.steps()}, {"reason", window.reason}};
 }
 
-Json ice_load_json(const IceLoad& load, CourseKind course) {
+Json ice_load_json(const IceLoad& load, sim::CourseKind course) {
   return {{"course", course_text(course)},
           {"axes", "along: positive astern; across: positive to port of the course"},
           {"touched", load.touched},
@@ -87,4 +87,4 @@ Json structures_json(const std::vector<StructureLoad>& structures) {
   return all;
 }
 
-}  // namespace nilas
+}  // namespace nilas::output

@@ -5,12 +5,12 @@
 #include "core/output/loads/ice_load.h"
 #include "core/sim/account/step_record.h"
 
-namespace nilas {
+namespace nilas::output {
 
 nlohmann::ordered_json window_json(const LoadWindow& window);
 /// Ice load of the vessel. `course`: how the course was determined.
-nlohmann::ordered_json ice_load_json(const IceLoad& load, CourseKind course);
+nlohmann::ordered_json ice_load_json(const IceLoad& load, sim::CourseKind course);
 nlohmann::ordered_json tow_force_json(const TowForce& tow);
 nlohmann::ordered_json structures_json(const std::vector<StructureLoad>& structures);
 
-}  // namespace nilas
+}  // namespace nilas::output

@@ -6,7 +6,7 @@
 
 #include "core/output/text/console.h"
 
-namespace nilas {
+namespace nilas::output {
 
 namespace {
 
@@ -140,4 +140,4 @@ std::string structure_lines(const StructureLoad& structure) {
          peak_lines(structure.ice);
 }
 
-}  // namespace nilas
+}  // namespace nilas::output

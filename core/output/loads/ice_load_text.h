@@ -4,7 +4,7 @@
 
 #include "core/output/loads/ice_load.h"
 
-namespace nilas {
+namespace nilas::output {
 
 struct ForceUnit {
   const char* name;
@@ -23,4 +23,4 @@ std::string raw_peak_depends_on(const IceLoad& load);
 std::string ice_load_lines(const IceLoad& load, const LoadError& error);
 std::string structure_lines(const StructureLoad& structure);
 
-}  // namespace nilas
+}  // namespace nilas::output

@@ -8,7 +8,7 @@
 #include "core/output/loads/load_statistics.h"
 #include "core/output/loads/mean_error.h"
 
-namespace nilas {
+namespace nilas::output {
 
 namespace {
 
@@ -68,17 +68,17 @@ static double mean_over(const std::vector<double>& series, const LoadWindow& win
   return sum / static_cast<double>(window.steps());
 }
 
-void LoadResiduals::add(const StepRecord& record) {
-  const VesselRecord& vessel = record.vessel.value();
+void LoadResiduals::add(const sim::StepRecord& record) {
+  const sim::VesselRecord& vessel = record.vessel.value();
   constexpr double k_coarse = 1e-3;  // share of the speed, as in the default tolerance
   const double speed = vessel.carriage ? std::abs(vessel.state.v.head<2>().dot(vessel.course)) : 0;
   const bool coarse = speed > 0 && record.residuals.law_map_m_s > k_coarse * speed;
   short_.push_back(record.solver_short ? 1 : 0);
   coarse_.push_back(record.solver_short || coarse ? 1 : 0);
   // Absolute values of the components are bounds along any axis.
-  const Vec2 ahead = vessel.course.cwiseAbs(), aside = to_port(vessel.course).cwiseAbs();
+  const Vec2 ahead = vessel.course.cwiseAbs(), aside = sim::to_port(vessel.course).cwiseAbs();
   const auto solver = components(vessel.solver_residual, ahead, aside);
-  const auto law = components(vessel.law_residual, vessel.course, to_port(vessel.course));
+  const auto law = components(vessel.law_residual, vessel.course, sim::to_port(vessel.course));
   for (std::size_t c = 0; c < k_components; ++c) {
     solver_[c].push_back(solver[c]);
     law_[c].push_back(law[c]);
@@ -149,4 +149,4 @@ std::optional<LoadError> load_error(const LoadRecord& run, const LoadResiduals& 
   return out;
 }
 
-}  // namespace nilas
+}  // namespace nilas::output

@@ -11,14 +11,14 @@
 #include "core/output/tables/vessel_channels.h"
 #include "core/sim/account/step_record.h"
 
-namespace nilas {
+namespace nilas::output {
 
 /// The residuals of each step as loads: components fx fy fz mx my mz of the contact load, then along and across the
 /// course.
 class LoadResiduals {
  public:
   /// Adds a step of a run with a vessel.
-  void add(const StepRecord& record);
+  void add(const sim::StepRecord& record);
   /// Mean of the solver's residual over the steps of a window, in absolute values, without cancellation.
   double solver(std::size_t component, const LoadWindow& window) const;
   /// Residual of the contact law over the steps of a window: |mean| and twice its standard error.
@@ -70,4 +70,4 @@ struct LoadRecord {
 /// because the carriage's load on the vessel's mass is not random.
 std::optional<LoadError> load_error(const LoadRecord& run, const LoadResiduals& residuals, const TwinStatistics* twins);
 
-}  // namespace nilas
+}  // namespace nilas::output

@@ -4,7 +4,7 @@
 #include "core/output/loads/mean_error.h"
 #include "core/output/loads/or_null.h"
 
-namespace nilas {
+namespace nilas::output {
 
 namespace {
 
@@ -87,4 +87,4 @@ Json twins_json(const TwinStatistics& twins) {
           {"loads", loads}};
 }
 
-}  // namespace nilas
+}  // namespace nilas::output

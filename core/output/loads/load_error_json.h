@@ -4,9 +4,9 @@
 
 #include "core/output/loads/load_error.h"
 
-namespace nilas {
+namespace nilas::output {
 
 nlohmann::ordered_json load_error_json(const LoadError& error, const TwinStatistics* twins);
 nlohmann::ordered_json twins_json(const TwinStatistics& twins);
 
-}  // namespace nilas
+}  // namespace nilas::output

@@ -5,7 +5,7 @@
 
 #include "core/base/statistics.h"
 
-namespace nilas {
+namespace nilas::output {
 
 LoadStatistics load_statistics(const std::vector<double>& series) {
   if (series.empty()) return {};
@@ -20,4 +20,4 @@ LoadStatistics load_statistics(const std::vector<double>& series) {
   return result;
 }
 
-}  // namespace nilas
+}  // namespace nilas::output

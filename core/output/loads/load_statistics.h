@@ -2,7 +2,7 @@
 /// Statistics of one load channel over a run.
 #include <vector>
 
-namespace nilas {
+namespace nilas::output {
 
 struct LoadStatistics {
   double mean = 0;
@@ -14,4 +14,4 @@ struct LoadStatistics {
 /// Statistics of a series; all zero for an empty one.
 LoadStatistics load_statistics(const std::vector<double>& series);
 
-}  // namespace nilas
+}  // namespace nilas::output

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace nilas {
+namespace nilas::output {
 
 namespace {
 
@@ -61,4 +61,4 @@ LoadWindow load_window(const LoadCourse& course) {
   return from_to(course, course.start, end, "the whole run");
 }
 
-}  // namespace nilas
+}  // namespace nilas::output

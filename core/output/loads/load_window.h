@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace nilas {
+namespace nilas::output {
 
 /// Steps first .. last - 1 of a run: those that end after `from` and not after `to`.
 struct LoadWindow {
@@ -31,4 +31,4 @@ struct LoadCourse {
 /// ramp, whichever is later, to the end of the run. A ramp that outlasts the run is ignored, and the reason says so.
 LoadWindow load_window(const LoadCourse& course);
 
-}  // namespace nilas
+}  // namespace nilas::output

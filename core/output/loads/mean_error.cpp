@@ -6,7 +6,7 @@
 
 #include "core/base/statistics.h"
 
-namespace nilas {
+namespace nilas::output {
 
 namespace {
 
@@ -78,4 +78,4 @@ MeanError mean_error_of_runs(const std::vector<double>& means) {
   return {std::sqrt(squares / (n - 1) / n), n - 1};
 }
 
-}  // namespace nilas
+}  // namespace nilas::output

@@ -2,7 +2,7 @@
 /// The error of the mean of one finite, correlated series. Method and sources: docs/theory/load-error.md.
 #include <vector>
 
-namespace nilas {
+namespace nilas::output {
 
 /// Standard error of a mean.
 struct MeanError {
@@ -25,4 +25,4 @@ MeanError slow_mean_error(const std::vector<double>& series);
 /// Error of the mean from the means of several runs.
 MeanError mean_error_of_runs(const std::vector<double>& means);
 
-}  // namespace nilas
+}  // namespace nilas::output

@@ -5,7 +5,7 @@
 #include <functional>
 #include <numeric>
 
-namespace nilas {
+namespace nilas::output {
 
 namespace {
 
@@ -92,4 +92,4 @@ double share_of_largest_percent(const std::vector<double>& series) {
   return std::accumulate(sizes.begin(), sizes.begin() + count, 0.0) / all;
 }
 
-}  // namespace nilas
+}  // namespace nilas::output

@@ -2,7 +2,7 @@
 /// Peaks of a load.
 #include <vector>
 
-namespace nilas {
+namespace nilas::output {
 
 /// The largest absolute value of a load, in three forms; values keep their signs.
 struct Peak {
@@ -25,4 +25,4 @@ double default_peak_filter(double length);
 /// Share of the sum of absolute values that the largest 1 % of them contribute; 0 where all are zero.
 double share_of_largest_percent(const std::vector<double>& series);
 
-}  // namespace nilas
+}  // namespace nilas::output

@@ -8,7 +8,7 @@
 
 #include "core/output/text/console.h"
 
-namespace nilas {
+namespace nilas::output {
 
 namespace {
 
@@ -27,11 +27,11 @@ std::string told(const JointBalance& joint) {
 
 }  // namespace
 
-ReactionBalance::ReactionBalance(const RunInfo& info)
+ReactionBalance::ReactionBalance(const sim::RunInfo& info)
     : has_carriage_(info.has_carriage), negligible_(k_negligible * k_standard_gravity * info.vessel_mass.mass) {
   if (info.vessel_length > 0) length_ = info.vessel_length;
   if (has_carriage_) seen_.emplace_back();
-  for (const PartInfo& part : info.parts) seen_.emplace_back().joint.name = part.name;
+  for (const sim::PartInfo& part : info.parts) seen_.emplace_back().joint.name = part.name;
 }
 
 void ReactionBalance::note(Seen& seen, double t, double force, double torque, const Wrench& load) {
@@ -43,16 +43,16 @@ void ReactionBalance::note(Seen& seen, double t, double force, double torque, co
   joint.largest_torque = std::max(joint.largest_torque, load.torque.norm());
 }
 
-void ReactionBalance::add(const StepRecord& record) {
+void ReactionBalance::add(const sim::StepRecord& record) {
   if (!record.vessel) return;
-  const VesselRecord& vessel = *record.vessel;
+  const sim::VesselRecord& vessel = *record.vessel;
   if (has_carriage_ && vessel.carriage && vessel.carriage->disagreement) {
     const Wrench& apart = *vessel.carriage->disagreement;
     note(seen_.front(), record.t, apart.force.norm(), apart.torque.norm(), vessel.carriage->about_com);
   }
   const std::size_t first = has_carriage_ ? 1 : 0;
   for (std::size_t k = 0; k < vessel.parts.size(); ++k) {
-    const PartRecord& part = vessel.parts[k];
+    const sim::PartRecord& part = vessel.parts[k];
     note(seen_[first + k], record.t, part.unbalanced_force, part.unbalanced_torque, part.joint);
   }
 }
@@ -128,4 +128,4 @@ std::string reaction_lines(const ReactionBalance& balance) {
   return text;
 }
 
-}  // namespace nilas
+}  // namespace nilas::output

@@ -6,7 +6,7 @@
 #include "core/base/state.h"
 #include "core/sim/account/step_record.h"
 
-namespace nilas {
+namespace nilas::output {
 
 /// The joint of the carriage, or of a part.
 struct JointBalance {
@@ -23,9 +23,9 @@ class ReactionBalance {
   static constexpr double k_limit = 1e-3;
 
   /// Prepares the balance of a run. `info` may be that of a run without a vessel.
-  explicit ReactionBalance(const RunInfo& info);
+  explicit ReactionBalance(const sim::RunInfo& info);
   /// Adds a step. Joints for which only one of both loads is known are ignored.
-  void add(const StepRecord& record);
+  void add(const sim::StepRecord& record);
 
   /// The carriage first, then the parts. Joints for which no step knew both loads are left out.
   std::vector<JointBalance> joints() const;
@@ -55,4 +55,4 @@ class ReactionBalance {
 /// Lines of the closing account, at most 80 columns; empty without joints.
 std::string reaction_lines(const ReactionBalance& balance);
 
-}  // namespace nilas
+}  // namespace nilas::output

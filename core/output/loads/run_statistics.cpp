@@ -7,7 +7,7 @@
 #include "core/base/error.h"
 #include "core/output/tables/structure_channels.h"
 
-namespace nilas {
+namespace nilas::output {
 
 namespace {
 
@@ -16,13 +16,13 @@ double ratio(double part, double scale) { return part == 0 ? 0 : part / scale; }
 
 }  // namespace
 
-RunStatistics::RunStatistics(const RunInfo& info)
+RunStatistics::RunStatistics(const sim::RunInfo& info)
     : info_(info),
       structure_series_(info.structures.size() * structure_load_names().size()),
       structure_first_ice_(info.structures.size(), k_never),
       works_(info.work_names.size(), 0),
       reactions_(info) {
-  for (const auto& residual : residual_columns()) worst_.push_back({residual.name});
+  for (const auto& residual : contact::residual_columns()) worst_.push_back({residual.name});
   for (const char* name :
        {"penetration_max_m", "penetration_mean_m", "imbalance_J", "momentum_imbalance_Ns",
         "angular_momentum_imbalance_Nms", "momentum_imbalance_relative", "angular_momentum_imbalance_relative"})
@@ -33,17 +33,17 @@ RunStatistics::RunStatistics(const RunInfo& info)
   load_series_.resize(load_names_.size());
 }
 
-void RunStatistics::start(double t, const Ledger& ledger) {
+void RunStatistics::start(double t, const sim::Ledger& ledger) {
   t_start_ = t_end_ = t;
   energy_put_in_ = ledger.kinetic;
   works_ = ledger.works;
 }
 
-void RunStatistics::add(const StepRecord& record, const std::vector<double>& vessel_values) {
+void RunStatistics::add(const sim::StepRecord& record, const std::vector<double>& vessel_values) {
   ++steps_;
   t_end_ = record.t;
   std::size_t column = 0;
-  for (const auto& residual : residual_columns()) note(column++, record.residuals.*residual.member, record.t);
+  for (const auto& residual : contact::residual_columns()) note(column++, record.residuals.*residual.member, record.t);
   for (const double value :
        {record.penetration_max, record.penetration_mean, record.ledger.imbalance, record.momentum_imbalance,
         record.angular_momentum_imbalance, ratio(record.momentum_imbalance, record.momentum_scale),
@@ -64,8 +64,8 @@ void RunStatistics::add(const StepRecord& record, const std::vector<double>& ves
   add_structures(record);
 }
 
-void RunStatistics::add_vessel(const StepRecord& record, const std::vector<double>& vessel_values) {
-  const VesselRecord& vessel = record.vessel.value();
+void RunStatistics::add_vessel(const sim::StepRecord& record, const std::vector<double>& vessel_values) {
+  const sim::VesselRecord& vessel = record.vessel.value();
   const std::vector<double> loads = VesselChannels(info_).loads(vessel_values);
   for (std::size_t c = 0; c < load_series_.size(); ++c) load_series_[c].push_back(loads[c]);
   load_residuals_.add(record);
@@ -78,13 +78,13 @@ void RunStatistics::add_vessel(const StepRecord& record, const std::vector<doubl
   speed_.push_back(along(vessel.state.v));
 }
 
-void RunStatistics::add_structures(const StepRecord& record) {
+void RunStatistics::add_structures(const sim::StepRecord& record) {
   NILAS_DEMAND(record.structures.size() == info_.structures.size());
   std::size_t series = 0;
   for (std::size_t k = 0; k < record.structures.size(); ++k) {
     if (record.structures[k].touches_ice)
       structure_first_ice_[k] = std::min(structure_first_ice_[k], record.t - record.h);
-    for (const double load : nilas::structure_loads(record.structures[k], info_.drift_course))
+    for (const double load : nilas::output::structure_loads(record.structures[k], info_.drift_course))
       structure_series_[series++].push_back(load);
   }
 }
@@ -128,7 +128,7 @@ void RunStatistics::save(StateWriter out) const {
   out.add("unconverged_steps", shortfalls_.unconverged_steps);
   out.add("uncorrected_steps", shortfalls_.uncorrected_steps);
   std::vector<long> counts;
-  for (const auto count : k_detector_counts) counts.push_back(detection_.*count);
+  for (const auto count : detect::k_detector_counts) counts.push_back(detection_.*count);
   out.add("detection", counts);
   reactions_.save(out.group("reactions"));
 }
@@ -170,8 +170,8 @@ void RunStatistics::restore(const StateReader& in) {
   in.get("unconverged_steps", shortfalls_.unconverged_steps);
   in.get("uncorrected_steps", shortfalls_.uncorrected_steps);
   std::vector<long> counts;
-  in.get("detection", counts, k_detector_counts.size());
-  for (std::size_t k = 0; k < counts.size(); ++k) detection_.*k_detector_counts[k] = counts[k];
+  in.get("detection", counts, detect::k_detector_counts.size());
+  for (std::size_t k = 0; k < counts.size(); ++k) detection_.*detect::k_detector_counts[k] = counts[k];
   reactions_.restore(in.group("reactions"));
 }
 
@@ -197,8 +197,8 @@ double RunStatistics::peak_filter() const {
 
 std::optional<LoadError> RunStatistics::load_error(const TwinStatistics* twins) const {
   const LoadWindow counted = window();
-  return nilas::load_error({load_names_, load_series_, counted, first_break_ - 0.5 * h_ < counted.to}, load_residuals_,
-                           twins);
+  return nilas::output::load_error({load_names_, load_series_, counted, first_break_ - 0.5 * h_ < counted.to},
+                                   load_residuals_, twins);
 }
 
 const std::vector<double>& RunStatistics::series_of(const std::string& name) const {
@@ -208,7 +208,7 @@ const std::vector<double>& RunStatistics::series_of(const std::string& name) con
 }
 
 std::optional<double> RunStatistics::mean_tow(const LoadWindow& window) const {
-  if (tow_.empty() || info_.course != CourseKind::carriage) return std::nullopt;
+  if (tow_.empty() || info_.course != sim::CourseKind::carriage) return std::nullopt;
   return load_statistics(window.of(tow_)).mean;
 }
 
@@ -279,8 +279,8 @@ std::string RunStatistics::slowdown() const {
   return costs_.slowdown(static_cast<std::size_t>(std::max(0.0, first)));
 }
 
-double RunStatistics::mean_ms(Phase phase) const {
+double RunStatistics::mean_ms(sim::Phase phase) const {
   return steps_ > 0 ? total_ms_[static_cast<std::size_t>(phase)] / static_cast<double>(steps_) : 0;
 }
 
-}  // namespace nilas
+}  // namespace nilas::output

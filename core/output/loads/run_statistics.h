@@ -13,7 +13,7 @@
 #include "core/output/text/slowdown.h"
 #include "core/sim/account/step_record.h"
 
-namespace nilas {
+namespace nilas::output {
 
 /// The largest absolute value of a column of steps.csv, and its time. A NaN counts as largest.
 struct Worst {
@@ -30,12 +30,12 @@ struct Shortfalls {
 
 class RunStatistics {
  public:
-  explicit RunStatistics(const RunInfo& info);
+  explicit RunStatistics(const sim::RunInfo& info);
 
   /// Notes the state before the first step.
-  void start(double t, const Ledger& ledger);
+  void start(double t, const sim::Ledger& ledger);
   /// Adds a step. `vessel_values`: as read from the channels, empty without a vessel.
-  void add(const StepRecord& record, const std::vector<double>& vessel_values);
+  void add(const sim::StepRecord& record, const std::vector<double>& vessel_values);
 
   double start_time() const { return t_start_; }  ///< [s]
   double end_time() const { return t_end_; }      ///< [s]
@@ -48,11 +48,11 @@ class RunStatistics {
   double energy_put_in() const { return energy_put_in_; }
   /// Largest |imbalance_J| over energy_put_in(); 0 when both are 0.
   double relative_imbalance() const;
-  const std::array<double, k_num_phases>& total_ms() const { return total_ms_; }
-  double mean_ms(Phase phase) const;
+  const std::array<double, sim::k_num_phases>& total_ms() const { return total_ms_; }
+  double mean_ms(sim::Phase phase) const;
   const Shortfalls& shortfalls() const { return shortfalls_; }
   /// Counts of contact detection over all steps.
-  const DetectorCounts& detection() const { return detection_; }
+  const detect::DetectorCounts& detection() const { return detection_; }
   /// Balance of joint reactions of carriage and parts, over all steps.
   const ReactionBalance& reactions() const { return reactions_; }
 
@@ -80,12 +80,12 @@ class RunStatistics {
 
  private:
   void note(std::size_t column, double value, double t);
-  void add_vessel(const StepRecord& record, const std::vector<double>& vessel_values);
-  void add_structures(const StepRecord& record);
+  void add_vessel(const sim::StepRecord& record, const std::vector<double>& vessel_values);
+  void add_structures(const sim::StepRecord& record);
   const std::vector<double>& series_of(const std::string& name) const;
   LoadWindow window_from(std::optional<double> first_ice, std::optional<double> ramp_end) const;
 
-  RunInfo info_;
+  sim::RunInfo info_;
   std::vector<Worst> worst_;
   std::vector<std::string> load_names_;
   std::vector<std::vector<double>> load_series_;
@@ -103,10 +103,10 @@ class RunStatistics {
   double energy_put_in_ = 0;
   double t_start_ = 0, t_end_ = 0;
   long steps_ = 0;
-  std::array<double, k_num_phases> total_ms_{};
+  std::array<double, sim::k_num_phases> total_ms_{};
   Shortfalls shortfalls_;
-  DetectorCounts detection_;
+  detect::DetectorCounts detection_;
   ReactionBalance reactions_;
 };
 
-}  // namespace nilas
+}  // namespace nilas::output

@@ -6,13 +6,13 @@
 
 #include "core/base/statistics.h"
 
-namespace nilas {
+namespace nilas::output {
 
 namespace {
 
 constexpr double k_share_of_diameter = 1e-4, k_first_fitted = 1e-11;  // -, [m]
 
-double mean_diameter(const Bodies& bodies) {
+double mean_diameter(const bodies::Bodies& bodies) {
   double sum = 0;
   int count = 0;
   for (int b = 0; b < bodies.size(); ++b) {
@@ -24,7 +24,7 @@ double mean_diameter(const Bodies& bodies) {
 }
 
 /// Largest distance between the same bodies of two runs; infinite where they do not have the same bodies.
-double largest_distance(const Bodies& one, const Bodies& other) {
+double largest_distance(const bodies::Bodies& one, const bodies::Bodies& other) {
   if (one.id != other.id) return std::numeric_limits<double>::infinity();
   double largest = 0;
   for (std::size_t b = 0; b < one.id.size(); ++b)
@@ -34,9 +34,9 @@ double largest_distance(const Bodies& one, const Bodies& other) {
 
 }  // namespace
 
-TwinHorizon::TwinHorizon(const Bodies& start) : threshold_(k_share_of_diameter * mean_diameter(start)) {}
+TwinHorizon::TwinHorizon(const bodies::Bodies& start) : threshold_(k_share_of_diameter * mean_diameter(start)) {}
 
-void TwinHorizon::compare(double t, const std::vector<const Bodies*>& runs) {
+void TwinHorizon::compare(double t, const std::vector<const bodies::Bodies*>& runs) {
   if (horizon_) return;
   double distance = 0;
   for (std::size_t i = 0; i < runs.size(); ++i)
@@ -62,4 +62,4 @@ std::optional<double> TwinHorizon::e_folding() const {
   return squares / across;
 }
 
-}  // namespace nilas
+}  // namespace nilas::output

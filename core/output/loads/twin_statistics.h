@@ -6,7 +6,7 @@
 
 #include "core/bodies/bodies.h"
 
-namespace nilas {
+namespace nilas::output {
 
 /// A perturbed run whose numerics failed. It does not count from that time on.
 struct FailedTwin {
@@ -34,10 +34,10 @@ struct TwinStatistics {
 /// offset and the threshold.
 class TwinHorizon {
  public:
-  explicit TwinHorizon(const Bodies& start);
+  explicit TwinHorizon(const bodies::Bodies& start);
 
   /// Compares the runs at time t [s]. Call once per step.
-  void compare(double t, const std::vector<const Bodies*>& runs);
+  void compare(double t, const std::vector<const bodies::Bodies*>& runs);
   double threshold() const { return threshold_; }
   std::optional<double> horizon() const { return horizon_; }
   /// The e-folding time [s]; empty before the horizon, or where fewer than ten steps lie in the fitted range.
@@ -49,4 +49,4 @@ class TwinHorizon {
   std::vector<double> times_, logs_;
 };
 
-}  // namespace nilas
+}  // namespace nilas::output

@@ -17,7 +17,7 @@
 #include "core/output/tables/problem_files.h"
 #include "core/scene/read/input_files.h"
 
-namespace nilas {
+namespace nilas::output {
 
 namespace {
 
@@ -99,7 +99,8 @@ void remove_problems_after(const fs::path& folder, long step, long worst) {
 bool holds_no_outputs(const fs::path& folder, std::error_code& error) {
   const auto left_over = [&](const std::string& name) {
     const auto& own = own_files();
-    return name == k_log || (name == k_input_folder && fs::exists(folder / k_log) && holds_copies_only(folder)) ||
+    return name == k_log ||
+           (name == scene::k_input_folder && fs::exists(folder / k_log) && holds_copies_only(folder)) ||
            std::any_of(own.begin(), own.end(), [&](const std::string& file) { return name == file + k_half_written; });
   };
   const fs::directory_iterator entries(folder, error);
@@ -118,7 +119,7 @@ std::filesystem::path dated_folder(const std::string& name) {
   return std::filesystem::path("runs") / (name + "-" + text);
 }
 
-RunLock claim_run_folder(const fs::path& folder, bool force, const std::vector<InputFile>& inputs) {
+RunLock claim_run_folder(const fs::path& folder, bool force, const std::vector<scene::InputFile>& inputs) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) fail(folder, "create the output folder", error.message());
@@ -154,4 +155,4 @@ void clear_after(const fs::path& folder, long step, long worst_problem) {
   remove_problems_after(folder / "problems", step, worst_problem);
 }
 
-}  // namespace nilas
+}  // namespace nilas::output

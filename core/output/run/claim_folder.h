@@ -7,7 +7,7 @@
 #include "core/output/run/run_lock.h"
 #include "core/scene/scene.h"
 
-namespace nilas {
+namespace nilas::output {
 
 /// The default folder for results: runs/<name>-<date and time>.
 std::filesystem::path dated_folder(const std::string& name);
@@ -19,11 +19,11 @@ void claim_folder(const std::filesystem::path& folder, bool force);
 /// that are among `inputs` of this one stay. Throws FileError where another program holds the lock, and InputError
 /// where the run's own copies would replace its inputs.
 [[nodiscard]] RunLock claim_run_folder(const std::filesystem::path& folder, bool force,
-                                       const std::vector<InputFile>& inputs = {});
+                                       const std::vector<scene::InputFile>& inputs = {});
 
 /// Removes the files that a run continued after `step` writes anew: the summary, trajectory frames and contact problems
 /// of later steps, problems/last.hdf5, and half-written files. `worst_problem`: step of the problem in
 /// problems/worst.hdf5. -1: none, so all are removed. Throws FileError.
 void clear_after(const std::filesystem::path& folder, long step = -1, long worst_problem = -1);
 
-}  // namespace nilas
+}  // namespace nilas::output

@@ -7,7 +7,7 @@
 #include "core/output/loads/ice_load_text.h"
 #include "core/output/text/console.h"
 
-namespace nilas {
+namespace nilas::output {
 
 namespace {
 
@@ -24,7 +24,7 @@ std::string phase_table(const RunStatistics& statistics, double wall_s) {
   const double in_steps = std::accumulate(ms.begin(), ms.end(), 0.0), total = std::max(wall_s * k_ms_per_s, in_steps);
   std::string text = fmt::format("  {:<14}{:>12}{:>9}\n", "phase", "ms per step", "percent");
   for (std::size_t p = 0; p < ms.size(); ++p)
-    if (ms[p] > 0) text += phase_line(to_string(static_cast<Phase>(p)), ms[p], statistics.steps(), total);
+    if (ms[p] > 0) text += phase_line(sim::to_string(static_cast<sim::Phase>(p)), ms[p], statistics.steps(), total);
   text += phase_line("other", total - in_steps, statistics.steps(), total);
   return text + phase_line("all", total, statistics.steps(), total);
 }
@@ -35,7 +35,7 @@ std::string worst_line(const char* label, const RunStatistics& statistics, const
 }
 
 /// The shares of the methods that settled pairs of convex pieces; empty where no pair came near.
-std::string detection_lines(const DetectorCounts& counts) {
+std::string detection_lines(const detect::DetectorCounts& counts) {
   if (counts.candidate_pairs == 0) return {};
   const long kept = counts.cached_separations + counts.kept_axes;
   const long others =
@@ -51,7 +51,7 @@ std::string detection_lines(const DetectorCounts& counts) {
 }
 
 /// One line for each method that missed its goal; empty in a healthy run.
-std::string shortfall_lines(const Shortfalls& shortfalls, const DetectorCounts& detection, long steps) {
+std::string shortfall_lines(const Shortfalls& shortfalls, const detect::DetectorCounts& detection, long steps) {
   std::string text;
   const auto line = [&](long count, const char* label, const std::string& rest) {
     if (count > 0) text += fmt::format("{:<22}{} {}\n", label, count, rest);
@@ -120,4 +120,4 @@ std::string closing_account(const RunStatistics& statistics, double wall_s, cons
   return text + fmt::format("{:<22}{}\n", "outputs", outputs.string());
 }
 
-}  // namespace nilas
+}  // namespace nilas::output

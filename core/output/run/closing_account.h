@@ -6,7 +6,7 @@
 
 #include "core/output/loads/run_statistics.h"
 
-namespace nilas {
+namespace nilas::output {
 
 /// Losses of ice that can break.
 struct BrokenIce {
@@ -23,4 +23,4 @@ std::string closing_account(const RunStatistics& statistics, double wall_s, cons
                             const std::optional<BrokenIce>& ice = {}, const TwinStatistics* twins = nullptr,
                             const std::optional<IceLoad>& ice_load = {});
 
-}  // namespace nilas
+}  // namespace nilas::output

@@ -13,7 +13,7 @@
 #include "core/output/tables/problem_files.h"
 #include "core/output/tables/structures_csv.h"
 
-namespace nilas {
+namespace nilas::output {
 
 /// The length to which a file of a continued run is cut; empty for a new run.
 static std::optional<std::int64_t> kept_bytes(const StateReader* from, const std::string& file) {
@@ -24,8 +24,8 @@ static std::optional<std::int64_t> kept_bytes(const StateReader* from, const std
 }
 
 struct RunFolder::Outputs {
-  Outputs(const std::filesystem::path& folder, const Scene& scene, const RunInfo& run_info, WarningCounts& counts,
-          const StateReader* from)
+  Outputs(const std::filesystem::path& folder, const scene::Scene& scene, const sim::RunInfo& run_info,
+          WarningCounts& counts, const StateReader* from)
       : info(run_info),
         warnings(counts),
         channels(info),
@@ -87,11 +87,12 @@ struct RunFolder::Outputs {
   }
 
   /// Contacts of a step for the trajectory frames: those in contacts.h5.
-  std::vector<ContactRow> shown_contacts(const std::vector<SolvedProblem>& parts, const Bodies& now) const {
+  std::vector<ContactRow> shown_contacts(const std::vector<contact::SolvedProblem>& parts,
+                                         const bodies::Bodies& now) const {
     std::vector<ContactRow> rows;
     if (!contacts || !trajectory) return rows;
     const LoadedBodies loaded = loaded_bodies(now, info);
-    for (const SolvedProblem& solved : parts) {
+    for (const contact::SolvedProblem& solved : parts) {
       const auto more = contact_rows(solved, loaded, contacts_of_all);
       rows.insert(rows.end(), more.begin(), more.end());
     }
@@ -103,7 +104,7 @@ struct RunFolder::Outputs {
     return snapshot_every > 0 && t - t_start >= static_cast<double>(snapshots) * snapshot_every - 0.5 * h;
   }
 
-  RunInfo info;
+  sim::RunInfo info;
   WarningCounts& warnings;
   VesselChannels channels;
   RunStatistics statistics;
@@ -124,7 +125,7 @@ struct RunFolder::Outputs {
   std::vector<double> vessel_values;
 };
 
-RunFolder::RunFolder(const std::filesystem::path& path, bool force, const std::vector<InputFile>& inputs)
+RunFolder::RunFolder(const std::filesystem::path& path, bool force, const std::vector<scene::InputFile>& inputs)
     : path_(path), lock_(claim_run_folder(path, force, inputs)) {}
 RunFolder::RunFolder(std::filesystem::path path, RunLock lock) : path_(std::move(path)), lock_(std::move(lock)) {}
 RunFolder::~RunFolder() = default;
@@ -135,13 +136,14 @@ void RunFolder::abandon() const {
   std::filesystem::remove(path_, ignored);  // fails on purpose when the folder is not empty
 }
 
-void RunFolder::open(const Scene& scene, const RunInfo& info, WarningCounts& warnings) {
+void RunFolder::open(const scene::Scene& scene, const sim::RunInfo& info, WarningCounts& warnings) {
   copy_inputs(path_, scene.inputs);
   write_scene_xml(scene_file(), scene);
   outputs_ = std::make_unique<Outputs>(path_, scene, info, warnings, nullptr);
 }
 
-void RunFolder::resume(const Scene& scene, const RunInfo& info, WarningCounts& warnings, const StateReader& in) {
+void RunFolder::resume(const scene::Scene& scene, const sim::RunInfo& info, WarningCounts& warnings,
+                       const StateReader& in) {
   outputs_ = std::make_unique<Outputs>(path_, scene, info, warnings, &in);
   outputs_->open_bodies(path_, &in);
   copy_inputs(path_, scene.inputs);
@@ -149,16 +151,16 @@ void RunFolder::resume(const Scene& scene, const RunInfo& info, WarningCounts& w
   clear_after(path_, outputs_->statistics.steps(), outputs_->problems.worst_step());
 }
 
-void RunFolder::write_checkpoint(const CheckpointOrigin& origin, State state) {
+void RunFolder::write_checkpoint(const sim::CheckpointOrigin& origin, State state) {
   NILAS_DEMAND(outputs_ != nullptr);
   outputs_->for_each_file([](const char*, const OutputFile& file) { file.sync(); });
   if (outputs_->contacts) outputs_->contacts->sync();
   outputs_->save(StateWriter(state).group("outputs"));
-  nilas::write_checkpoint(checkpoint_file(), origin, state);
+  nilas::sim::write_checkpoint(checkpoint_file(), origin, state);
   outputs_->problems.saved();
 }
 
-void RunFolder::start(double t, const Ledger& ledger, const Bodies& bodies) {
+void RunFolder::start(double t, const sim::Ledger& ledger, const bodies::Bodies& bodies) {
   NILAS_DEMAND(outputs_ != nullptr);
   Outputs& out = *outputs_;
   out.t_start = t;
@@ -167,8 +169,8 @@ void RunFolder::start(double t, const Ledger& ledger, const Bodies& bodies) {
   if (out.snapshot_due(t, 0)) write_snapshot(t, 0, bodies, {});
 }
 
-void RunFolder::record(StepRecord record, const std::vector<SolvedProblem>& parts, const Bodies& bodies,
-                       const FloeDamage& damage) {
+void RunFolder::record(sim::StepRecord record, const std::vector<contact::SolvedProblem>& parts,
+                       const bodies::Bodies& bodies, const FloeDamage& damage) {
   using Clock = std::chrono::steady_clock;
   const auto begin = Clock::now();
   NILAS_DEMAND(outputs_ != nullptr);
@@ -187,30 +189,30 @@ void RunFolder::record(StepRecord record, const std::vector<SolvedProblem>& part
   if (out.events) out.events->rows(record.broken);
   if (out.snapshot_due(record.t, record.h))
     write_snapshot(record.t, record.step, bodies, {out.shown_contacts(parts, bodies), record.h, damage});
-  record.ms[static_cast<std::size_t>(Phase::output)] +=
+  record.ms[static_cast<std::size_t>(sim::Phase::output)] +=
       std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
   out.steps.row(record);
   out.statistics.add(record, out.vessel_values);
 }
 
-void RunFolder::store(const StepRecord& record, const SolvedProblem& solved) {
+void RunFolder::store(const sim::StepRecord& record, const contact::SolvedProblem& solved) {
   NILAS_DEMAND(outputs_ != nullptr);
   outputs_->problems.step(record, solved);
 }
 
-void RunFolder::store_last(const SolvedProblem& solved) {
+void RunFolder::store_last(const contact::SolvedProblem& solved) {
   NILAS_DEMAND(outputs_ != nullptr);
   outputs_->problems.last(solved);
 }
 
-void RunFolder::write_snapshot(double t, long step, const Bodies& bodies, const ShownStep& shown) {
+void RunFolder::write_snapshot(double t, long step, const bodies::Bodies& bodies, const ShownStep& shown) {
   Outputs& out = *outputs_;
   ++out.snapshots;
   if (out.bodies) out.bodies->rows(t, bodies);
   if (out.trajectory) out.trajectory->frame(t, step, bodies, shown);
 }
 
-nlohmann::ordered_json RunFolder::finish(SummaryInput input, const Bodies& bodies) {
+nlohmann::ordered_json RunFolder::finish(SummaryInput input, const bodies::Bodies& bodies) {
   NILAS_DEMAND(outputs_ != nullptr);
   Outputs& out = *outputs_;
   out.steps.finish();
@@ -222,7 +224,7 @@ nlohmann::ordered_json RunFolder::finish(SummaryInput input, const Bodies& bodie
   if (out.events) out.events->finish();
   if (out.contacts) out.contacts->finish();
   input.ice_mass_end = free_ice_mass(bodies);
-  input.floes_end = std::count(bodies.kind.begin(), bodies.kind.end(), BodyKind::floe);
+  input.floes_end = std::count(bodies.kind.begin(), bodies.kind.end(), bodies::BodyKind::floe);
   auto summary = summary_json(out.info, out.statistics, input);
   write_summary_json(summary_file(), summary);
   return summary;
@@ -233,11 +235,11 @@ const RunStatistics& RunFolder::statistics() const {
   return outputs_->statistics;
 }
 
-double free_ice_mass(const Bodies& bodies) {
+double free_ice_mass(const bodies::Bodies& bodies) {
   double mass = 0;
   for (std::size_t b = 0; b < bodies.id.size(); ++b)
-    if (bodies.kind[b] == BodyKind::floe && bodies.motion[b] == Motion::free) mass += bodies.mass[b];
+    if (bodies.kind[b] == bodies::BodyKind::floe && bodies.motion[b] == bodies::Motion::free) mass += bodies.mass[b];
   return mass;
 }
 
-}  // namespace nilas
+}  // namespace nilas::output

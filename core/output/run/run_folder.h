@@ -17,7 +17,7 @@
 #include "core/sim/account/step_record.h"
 #include "core/sim/checkpoint.h"
 
-namespace nilas {
+namespace nilas::output {
 
 /// The outputs of one run. Order of calls: constructor, open() and start(), or resume(); record() per step; finish().
 /// Every complete step is readable at any time.
@@ -26,7 +26,7 @@ class RunFolder {
   /// Creates the folder. Throws InputError when it is not empty, unless `force`: then the files that an earlier run of
   /// Nilas wrote there are removed, except for copies among `inputs`. Throws FileError when the folder cannot be
   /// created or written, or another program writes into it.
-  RunFolder(const std::filesystem::path& path, bool force, const std::vector<InputFile>& inputs = {});
+  RunFolder(const std::filesystem::path& path, bool force, const std::vector<scene::InputFile>& inputs = {});
   /// Opens the folder of a run that continues.
   RunFolder(std::filesystem::path path, RunLock lock);
   ~RunFolder();
@@ -46,30 +46,30 @@ class RunFolder {
 
   /// Copies the scene's input files, writes scene.xml and opens the outputs that the scene asks for. `warnings` must
   /// outlive the folder. Throws FileError, and InputError where an input file has changed since the scene was read.
-  void open(const Scene& scene, const RunInfo& info, WarningCounts& warnings);
+  void open(const scene::Scene& scene, const sim::RunInfo& info, WarningCounts& warnings);
   /// Writes the state at time t [s] before the first step. Throws FileError.
-  void start(double t, const Ledger& ledger, const Bodies& bodies);
+  void start(double t, const sim::Ledger& ledger, const bodies::Bodies& bodies);
   /// Replaces open() and start() for a continued run. Continues the outputs from the time when `in` was written to
   /// checkpoint.h5; rows and frames of later steps are removed. Throws FileError, and InputError where an output is too
   /// short.
-  void resume(const Scene& scene, const RunInfo& info, WarningCounts& warnings, const StateReader& in);
+  void resume(const scene::Scene& scene, const sim::RunInfo& info, WarningCounts& warnings, const StateReader& in);
   /// Writes one step. `parts`: its contact problems; `bodies`: at its end; `damage`: that of the floes. The time spent
   /// here counts as Phase::output. Throws FileError.
-  void record(StepRecord record, const std::vector<SolvedProblem>& parts, const Bodies& bodies,
+  void record(sim::StepRecord record, const std::vector<contact::SolvedProblem>& parts, const bodies::Bodies& bodies,
               const FloeDamage& damage = {});
   /// Stores the step's contact problem, where the scene asks for it. Throws FileError.
-  void store(const StepRecord& record, const SolvedProblem& solved);
+  void store(const sim::StepRecord& record, const contact::SolvedProblem& solved);
   /// Stores the problem at which the numerics failed. Throws FileError.
-  void store_last(const SolvedProblem& solved);
+  void store_last(const contact::SolvedProblem& solved);
   /// Writes checkpoint.h5: `state` and the lengths of the outputs. Throws FileError.
-  void write_checkpoint(const CheckpointOrigin& origin, State state);
+  void write_checkpoint(const sim::CheckpointOrigin& origin, State state);
   /// Closes the outputs and writes summary.json, including the mass of the free ice in `bodies`. Throws FileError.
-  nlohmann::ordered_json finish(SummaryInput input, const Bodies& bodies);
+  nlohmann::ordered_json finish(SummaryInput input, const bodies::Bodies& bodies);
   const RunStatistics& statistics() const;
 
  private:
   struct Outputs;
-  void write_snapshot(double t, long step, const Bodies& bodies, const ShownStep& shown);
+  void write_snapshot(double t, long step, const bodies::Bodies& bodies, const ShownStep& shown);
 
   std::filesystem::path path_;
   RunLock lock_;
@@ -77,6 +77,6 @@ class RunFolder {
 };
 
 /// Mass of the free floes [kg].
-double free_ice_mass(const Bodies& bodies);
+double free_ice_mass(const bodies::Bodies& bodies);
 
-}  // namespace nilas
+}  // namespace nilas::output

@@ -10,7 +10,7 @@
 #include "core/output/file/output_file.h"
 #include "core/scene/read/input_files.h"
 
-namespace nilas {
+namespace nilas::output {
 
 namespace fs = std::filesystem;
 
@@ -19,8 +19,8 @@ namespace {
 /// Ending of a file that is being replaced; such files remain where a run was killed while writing.
 constexpr const char* k_half_written = ".part";
 
-fs::path input_folder(const fs::path& folder) { return folder / k_input_folder; }
-fs::path list_file(const fs::path& folder) { return input_folder(folder) / k_input_sums; }
+fs::path input_folder(const fs::path& folder) { return folder / scene::k_input_folder; }
+fs::path list_file(const fs::path& folder) { return input_folder(folder) / scene::k_input_sums; }
 
 bool is_real_folder(const fs::path& path) {
   std::error_code ignored;
@@ -47,14 +47,14 @@ std::set<fs::path> listed(const fs::path& folder) {
 }
 
 /// The path of a copy below inputs/.
-fs::path below(const InputFile& input) { return fs::path(input.copy).lexically_relative(k_input_folder); }
+fs::path below(const scene::InputFile& input) { return fs::path(input.copy).lexically_relative(scene::k_input_folder); }
 
 bool is_same_file(const fs::path& a, const fs::path& b) {
   std::error_code ignored;
   return fs::equivalent(a, b, ignored);
 }
 
-bool is_in_place(const fs::path& folder, const InputFile& input) {
+bool is_in_place(const fs::path& folder, const scene::InputFile& input) {
   return is_same_file(input.source, folder / input.copy);
 }
 
@@ -87,9 +87,9 @@ void remove_list(const fs::path& folder) {
   remove_empty(input_folder(folder));
 }
 
-void copy_one(const fs::path& folder, const InputFile& input) {
+void copy_one(const fs::path& folder, const scene::InputFile& input) {
   const std::string bytes = file_bytes(input.source);
-  if (const std::string now = text_sha256(bytes); now != input.sha256)
+  if (const std::string now = scene::text_sha256(bytes); now != input.sha256)
     throw InputError(input.source + ": the file has changed while the run began: its SHA-256 is " + now +
                      ", that of the scene's " + input.sha256);
   const fs::path copy = folder / input.copy;
@@ -101,13 +101,13 @@ void copy_one(const fs::path& folder, const InputFile& input) {
 
 }  // namespace
 
-void demand_room_for_inputs(const fs::path& folder, const std::vector<InputFile>& inputs) {
+void demand_room_for_inputs(const fs::path& folder, const std::vector<scene::InputFile>& inputs) {
   const auto copies = listed(folder);
   for (const auto& input : inputs) {
     const fs::path copy = folder / input.copy;
     std::error_code ignored;
     if (!fs::exists(fs::symlink_status(copy, ignored)) || is_in_place(folder, input)) continue;
-    const auto reads_it = [&](const InputFile& other) { return is_same_file(other.source, copy); };
+    const auto reads_it = [&](const scene::InputFile& other) { return is_same_file(other.source, copy); };
     if (std::any_of(inputs.begin(), inputs.end(), reads_it))
       throw InputError(copy.string() + ": the run reads this file, and would replace it by its copy of " +
                        input.source + "; choose another folder by --out");
@@ -117,7 +117,7 @@ void demand_room_for_inputs(const fs::path& folder, const std::vector<InputFile>
   }
 }
 
-void remove_inputs(const fs::path& folder, const std::vector<InputFile>& kept) {
+void remove_inputs(const fs::path& folder, const std::vector<scene::InputFile>& kept) {
   auto copies = listed(folder);
   bool keeps = false;
   for (const auto& input : kept)
@@ -135,15 +135,15 @@ bool holds_copies_only(const fs::path& folder) {
     if (is_real_folder(entry->path())) continue;
     fs::path name = entry->path().lexically_relative(inputs);
     if (name.extension() == k_half_written) name.replace_extension();
-    if (name != k_input_sums && copies.count(name) == 0) return false;
+    if (name != scene::k_input_sums && copies.count(name) == 0) return false;
   }
   return !error;
 }
 
-void copy_inputs(const fs::path& folder, const std::vector<InputFile>& inputs) {
+void copy_inputs(const fs::path& folder, const std::vector<scene::InputFile>& inputs) {
   if (inputs.empty()) return;
   std::string list;
-  std::vector<const InputFile*> missing;
+  std::vector<const scene::InputFile*> missing;
   for (const auto& input : inputs) {
     list += input.sha256 + "  " + below(input).string() + "\n";
     if (!is_in_place(folder, input)) missing.push_back(&input);
@@ -154,7 +154,7 @@ void copy_inputs(const fs::path& folder, const std::vector<InputFile>& inputs) {
   std::set<fs::path> copies;
   try {
     write_whole(list_file(folder), list);  // first, so that files left by a killed run are recognised as its copies
-    for (const InputFile* input : missing) {
+    for (const scene::InputFile* input : missing) {
       copies.insert(below(*input));
       copy_one(folder, *input);
     }
@@ -165,4 +165,4 @@ void copy_inputs(const fs::path& folder, const std::vector<InputFile>& inputs) {
   }
 }
 
-}  // namespace nilas
+}  // namespace nilas::output

@@ -9,7 +9,7 @@
 
 #include "core/base/error.h"
 
-namespace nilas {
+namespace nilas::output {
 
 RunLock::RunLock(const std::filesystem::path& folder) {
   constexpr mode_t k_file_mode = 0666;  // reduced by the user's umask
@@ -26,4 +26,4 @@ RunLock::~RunLock() {
   if (descriptor_ >= 0) ::close(descriptor_);
 }
 
-}  // namespace nilas
+}  // namespace nilas::output

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <utility>
 
-namespace nilas {
+namespace nilas::output {
 
 /// An advisory lock (flock) on a folder's nilas.log, which is created if missing. The system releases it when the
 /// program ends in any way. It has no effect on file systems without locks.
@@ -21,4 +21,4 @@ class RunLock {
   int descriptor_ = -1;
 };
 
-}  // namespace nilas
+}  // namespace nilas::output

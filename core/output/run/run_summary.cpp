@@ -4,7 +4,7 @@
 
 #include "core/base/file_bytes.h"
 
-namespace nilas {
+namespace nilas::output {
 
 namespace {
 
@@ -35,10 +35,10 @@ void visit_figures(Summary& s, const Visit& visit) {
   visit("/worst/penetration_max_m/value", s.penetration_max_m);
   visit("/worst/imbalance_J/relative_to_energy_put_in", s.imbalance_relative);
   visit("/worst/momentum_imbalance_relative/value", s.momentum_imbalance_relative);
-  for (const auto& column : residual_columns())
+  for (const auto& column : contact::residual_columns())
     visit(std::string("/worst/") + column.name + "/value", s.residuals.*column.member);
-  for (int p = 0; p < k_num_phases; ++p)
-    visit(std::string("/modules/ms_per_step/") + to_string(static_cast<Phase>(p)), s.phase_ms[p]);
+  for (int p = 0; p < sim::k_num_phases; ++p)
+    visit(std::string("/modules/ms_per_step/") + sim::to_string(static_cast<sim::Phase>(p)), s.phase_ms[p]);
   visit("/ice_load/touched", s.touched);
 }
 
@@ -123,14 +123,14 @@ const LoadStatistics* RunSummary::load(const std::string& channel) const {
   return nullptr;
 }
 
-Residuals RunSummary::no_residuals() {
-  Residuals none;
-  for (const auto& column : residual_columns()) none.*column.member = k_none;
+contact::Residuals RunSummary::no_residuals() {
+  contact::Residuals none;
+  for (const auto& column : contact::residual_columns()) none.*column.member = k_none;
   return none;
 }
 
-std::array<double, k_num_phases> RunSummary::no_phases() {
-  std::array<double, k_num_phases> none{};
+std::array<double, sim::k_num_phases> RunSummary::no_phases() {
+  std::array<double, sim::k_num_phases> none{};
   none.fill(k_none);
   return none;
 }
@@ -165,4 +165,4 @@ RunSummary read_run_summary(const std::filesystem::path& run_folder) {
   return std::filesystem::exists(file) ? run_summary_from(Json::parse(file_bytes(file), nullptr, false)) : RunSummary{};
 }
 
-}  // namespace nilas
+}  // namespace nilas::output

@@ -14,7 +14,7 @@
 #include "core/output/loads/load_statistics.h"
 #include "core/sim/account/step_record.h"
 
-namespace nilas {
+namespace nilas::output {
 
 /// The time over which mean loads are taken.
 struct LoadSpan {
@@ -44,10 +44,11 @@ struct RunSummary {
   double penetration_max_m = k_none;                  ///< worst of all steps, like the four below
   double imbalance_relative = k_none;                 ///< energy error over the energy put in
   double momentum_imbalance_relative = k_none;
-  Residuals residuals = no_residuals();
-  std::array<double, k_num_phases> phase_ms = no_phases();  ///< mean over the steps, 0 for a phase without work [ms]
-  std::optional<LoadSpan> window;                           ///< window of the vessel's loads
-  std::optional<bool> touched;                              ///< whether ice touched the vessel; empty without a vessel
+  contact::Residuals residuals = no_residuals();
+  std::array<double, sim::k_num_phases> phase_ms =
+      no_phases();                 ///< mean over the steps, 0 for a phase without work [ms]
+  std::optional<LoadSpan> window;  ///< window of the vessel's loads
+  std::optional<bool> touched;     ///< whether ice touched the vessel; empty without a vessel
   std::vector<std::pair<std::string, LoadStatistics>> loads;  ///< by channel, in the order of vessel.csv [N or N m]
   std::map<std::string, LoadErrorFigures> load_errors;        ///< error estimates by channel
 
@@ -56,8 +57,8 @@ struct RunSummary {
   const LoadStatistics* load(const std::string& channel) const;
 
  private:
-  static Residuals no_residuals();
-  static std::array<double, k_num_phases> no_phases();
+  static contact::Residuals no_residuals();
+  static std::array<double, sim::k_num_phases> no_phases();
 };
 
 /// Figures of a summary by summary_json(), or of an excerpt. Missing figures and those of another type are not known.
@@ -68,4 +69,4 @@ nlohmann::ordered_json to_json(const RunSummary& summary);
 /// Reads summary.json of a run folder. `status` is empty where the file is missing or no JSON.
 RunSummary read_run_summary(const std::filesystem::path& run_folder);
 
-}  // namespace nilas
+}  // namespace nilas::output

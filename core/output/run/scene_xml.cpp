@@ -2,8 +2,8 @@
 
 #include "core/output/file/output_file.h"
 
-namespace nilas {
+namespace nilas::output {
 
-void write_scene_xml(const std::filesystem::path& path, const Scene& scene) { write_whole(path, scene.as_run); }
+void write_scene_xml(const std::filesystem::path& path, const scene::Scene& scene) { write_whole(path, scene.as_run); }
 
-}  // namespace nilas
+}  // namespace nilas::output

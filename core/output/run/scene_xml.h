@@ -4,9 +4,9 @@
 
 #include "core/scene/scene.h"
 
-namespace nilas {
+namespace nilas::output {
 
 /// Throws FileError.
-void write_scene_xml(const std::filesystem::path& path, const Scene& scene);
+void write_scene_xml(const std::filesystem::path& path, const scene::Scene& scene);
 
-}  // namespace nilas
+}  // namespace nilas::output

@@ -7,13 +7,13 @@
 #include "core/output/loads/load_error_json.h"
 #include "core/output/loads/load_statistics.h"
 
-namespace nilas {
+namespace nilas::output {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json vessel_json(const MassProperties& mass) {
+Json vessel_json(const geometry::MassProperties& mass) {
   const Mat3& I = mass.inertia;
   return {{"mass_kg", mass.mass},
           {"cog_m", {mass.com.x(), mass.com.y(), mass.com.z()}},
@@ -33,7 +33,7 @@ Json shortfalls_json(const RunStatistics& statistics) {
           {"detection_fallbacks", statistics.detection().fallbacks}};
 }
 
-Json detection_json(const DetectorCounts& counts) {
+Json detection_json(const detect::DetectorCounts& counts) {
   return {{"pairs", counts.candidate_pairs},         {"kept_separating_axis", counts.cached_separations},
           {"kept_contact_axis", counts.kept_axes},   {"settled_by_fcl", counts.by_fcl},
           {"corrected_after_fcl", counts.corrected}, {"exact_search_alone", counts.searched},
@@ -79,7 +79,7 @@ Json loads_json(const RunStatistics& statistics) {
 }
 
 /// The tare, with the names of the readings in vessel.csv.
-Json tare_json(const CarriageLoads& tare, bool has_cells) {
+Json tare_json(const vessel::CarriageLoads& tare, bool has_cells) {
   const Wrench& joint = tare.about_joint;
   Json json{{"carriage_fx_N", joint.force.x()},   {"carriage_fy_N", joint.force.y()},
             {"carriage_fz_N", joint.force.z()},   {"carriage_mx_Nm", joint.torque.x()},
@@ -89,24 +89,24 @@ Json tare_json(const CarriageLoads& tare, bool has_cells) {
   return json;
 }
 
-Json modules_json(const RunInfo& info, const RunStatistics& statistics) {
+Json modules_json(const sim::RunInfo& info, const RunStatistics& statistics) {
   Json built = Json::array(), ms = Json::object();
   for (const auto& [name, reason] : info.modules) built.push_back({{"name", name}, {"reason", reason}});
-  for (int p = 0; p < k_num_phases; ++p)
-    ms[to_string(static_cast<Phase>(p))] = statistics.mean_ms(static_cast<Phase>(p));
+  for (int p = 0; p < sim::k_num_phases; ++p)
+    ms[sim::to_string(static_cast<sim::Phase>(p))] = statistics.mean_ms(static_cast<sim::Phase>(p));
   return {{"built", built}, {"ms_per_step", ms}};
 }
 
 }  // namespace
 
 /// The warnings, with their elements but without file and line: scene.xml of the folder has other lines.
-static Json warnings_json(const RunInfo& info) {
+static Json warnings_json(const sim::RunInfo& info) {
   Json warnings = Json::array();
   for (const Fault& warning : info.warnings) warnings.push_back(warning.where + ": " + warning.message);
   return warnings;
 }
 
-Json summary_json(const RunInfo& info, const RunStatistics& statistics, const SummaryInput& input) {
+Json summary_json(const sim::RunInfo& info, const RunStatistics& statistics, const SummaryInput& input) {
   Json summary;
   summary["scene"] = info.scene_name;
   summary["status"] = input.status;
@@ -156,4 +156,4 @@ void write_summary_json(const std::filesystem::path& path, const Json& summary) 
   write_whole(path, summary.dump(k_indent, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
-}  // namespace nilas
+}  // namespace nilas::output

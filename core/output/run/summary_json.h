@@ -8,7 +8,7 @@
 #include "core/output/loads/run_statistics.h"
 #include "core/sim/account/step_record.h"
 
-namespace nilas {
+namespace nilas::output {
 
 /// Facts about a run that only the calling program knows.
 struct SummaryInput {
@@ -29,10 +29,11 @@ struct SummaryInput {
   std::optional<IceLoad> ice_load;  ///< present with a vessel
 };
 
-nlohmann::ordered_json summary_json(const RunInfo& info, const RunStatistics& statistics, const SummaryInput& input);
+nlohmann::ordered_json summary_json(const sim::RunInfo& info, const RunStatistics& statistics,
+                                    const SummaryInput& input);
 
 /// Writes the summary through a temporary file and a rename, so that readers never see an incomplete file. Throws
 /// FileError.
 void write_summary_json(const std::filesystem::path& path, const nlohmann::ordered_json& summary);
 
-}  // namespace nilas
+}  // namespace nilas::output

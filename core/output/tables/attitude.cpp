@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace nilas {
+namespace nilas::output {
 
 namespace {
 
@@ -40,4 +40,4 @@ EulerRates euler_rates(const Quat& q_GB, const Vec3& w_GB) {
   return rates;
 }
 
-}  // namespace nilas
+}  // namespace nilas::output

@@ -2,7 +2,7 @@
 /// Yaw, pitch and roll in the nautical convention, from quaternions and angular velocities.
 #include "core/base/math.h"
 
-namespace nilas {
+namespace nilas::output {
 
 /// Angles of R_GB = Rz(yaw) Ry(pitch) Rx(roll) [rad]; yaw and roll in (-pi, pi], pitch in [-pi/2, pi/2].
 struct EulerAngles {
@@ -22,4 +22,4 @@ EulerRates euler_rates(const Quat& q_GB, const Vec3& w_GB);
 /// Limit of |cos pitch| below which the rates would exceed the angular velocity a billion times.
 constexpr double k_gimbal_lock = 1e-9;
 
-}  // namespace nilas
+}  // namespace nilas::output

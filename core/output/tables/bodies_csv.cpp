@@ -2,7 +2,7 @@
 
 #include "core/output/file/csv_row.h"
 
-namespace nilas {
+namespace nilas::output {
 
 BodiesCsv::BodiesCsv(const std::filesystem::path& path, std::optional<std::int64_t> keep) : file_(path, "", keep) {
   if (keep) return;
@@ -10,7 +10,7 @@ BodiesCsv::BodiesCsv(const std::filesystem::path& path, std::optional<std::int64
                            "vz_m_s", "wx_rad_s", "wy_rad_s", "wz_rad_s"}));
 }
 
-void BodiesCsv::rows(double t, const Bodies& bodies) {
+void BodiesCsv::rows(double t, const bodies::Bodies& bodies) {
   block_.clear();
   CsvRow row;
   for (std::size_t b = 0; b < bodies.id.size(); ++b) {
@@ -25,4 +25,4 @@ void BodiesCsv::rows(double t, const Bodies& bodies) {
   file_.append(block_);
 }
 
-}  // namespace nilas
+}  // namespace nilas::output

@@ -6,7 +6,7 @@
 #include "core/bodies/bodies.h"
 #include "core/output/file/output_file.h"
 
-namespace nilas {
+namespace nilas::output {
 
 /// Number of bodies up to which the file is written by default.
 constexpr int k_bodies_csv_default_limit = 200;
@@ -17,7 +17,7 @@ class BodiesCsv {
   explicit BodiesCsv(const std::filesystem::path& path, std::optional<std::int64_t> keep = {});
   /// Writes all bodies at time t [s] with 17 significant digits. The rows of one instant are written together. Throws
   /// FileError.
-  void rows(double t, const Bodies& bodies);
+  void rows(double t, const bodies::Bodies& bodies);
   void finish() { file_.close(); }
   const OutputFile& file() const { return file_; }
 
@@ -26,4 +26,4 @@ class BodiesCsv {
   std::string block_;
 };
 
-}  // namespace nilas
+}  // namespace nilas::output

@@ -6,7 +6,7 @@
 #include "core/bodies/bodies.h"
 #include "core/sim/account/step_record.h"
 
-namespace nilas {
+namespace nilas::output {
 
 /// State of a contact. open: carries nothing (it was found because it could have closed within the step). crush:
 /// carries the crushing strength of the ice.
@@ -30,7 +30,7 @@ struct ContactRow {
 /// Status of contact c from its impulse and velocity, scaled with the masses of its two bodies. It is open where it
 /// separates faster than its normal impulse can move them. It slips where it slides faster than its remaining friction
 /// can move them.
-ContactStatus contact_status(const SolvedProblem& solved, std::size_t c);
+ContactStatus contact_status(const contact::SolvedProblem& solved, std::size_t c);
 
 /// The bodies whose contacts are stored by default, and whose side a row then takes.
 struct LoadedBodies {
@@ -41,9 +41,10 @@ struct LoadedBodies {
   bool is_of_vessel(int body) const { return vessel >= 0 && body >= vessel && body <= vessel + num_parts; }
 };
 /// The loaded bodies of a run; without structures where `info` names none.
-LoadedBodies loaded_bodies(const Bodies& bodies, const RunInfo& info);
+LoadedBodies loaded_bodies(const bodies::Bodies& bodies, const sim::RunInfo& info);
 
 /// Rows of the contacts of the vessel and of structures, or of all bodies.
-std::vector<ContactRow> contact_rows(const SolvedProblem& solved, const LoadedBodies& loaded, bool of_all_bodies);
+std::vector<ContactRow> contact_rows(const contact::SolvedProblem& solved, const LoadedBodies& loaded,
+                                     bool of_all_bodies);
 
-}  // namespace nilas
+}  // namespace nilas::output

@@ -5,7 +5,7 @@
 
 #include "core/base/error.h"
 
-namespace nilas {
+namespace nilas::output {
 
 namespace {
 
@@ -14,9 +14,9 @@ constexpr std::int64_t k_rows_together = 4096;
 constexpr std::chrono::seconds k_longest_wait{1};
 
 /// Whether some friction transmits couples, so that sums of moments include them.
-bool has_couples(const Scene& scene) {
+bool has_couples(const scene::Scene& scene) {
   return std::any_of(scene.contact.friction.begin(), scene.contact.friction.end(),
-                     [](const FrictionScene& pair) { return pair.rolling > 0 || pair.spinning > 0; });
+                     [](const scene::FrictionScene& pair) { return pair.rolling > 0 || pair.spinning > 0; });
 }
 
 class LayoutList {
@@ -31,13 +31,13 @@ class LayoutList {
   void vector(const std::string& name, const std::string& tail, const std::string& unit, const std::string& meaning) {
     for (const char* axis : {"x", "y", "z"}) number(name + axis + tail, unit, meaning + ", " + axis);
   }
-  std::vector<Hdf5Column> take() { return std::move(columns_); }
+  std::vector<hdf5::Hdf5Column> take() { return std::move(columns_); }
 
  private:
-  std::vector<Hdf5Column> columns_;
+  std::vector<hdf5::Hdf5Column> columns_;
 };
 
-Hdf5Columns::Layout layout(bool has_vessel, bool with_couples) {
+hdf5::Hdf5Columns::Layout layout(bool has_vessel, bool with_couples) {
   LayoutList list;
   list.number("time_s", "s", "end of the step, as in vessel.csv");
   list.integer("step", "from 1");
@@ -62,9 +62,9 @@ Hdf5Columns::Layout layout(bool has_vessel, bool with_couples) {
           "steps", "row k is step k + 1: its first row in /contacts and the row after its last", list.take()};
 }
 
-std::optional<Hdf5Columns::Length> kept(const StateReader* from) {
+std::optional<hdf5::Hdf5Columns::Length> kept(const StateReader* from) {
   if (from == nullptr) return std::nullopt;
-  Hdf5Columns::Length length;
+  hdf5::Hdf5Columns::Length length;
   from->get("steps", length.blocks);
   from->get("rows", length.rows);
   return length;
@@ -72,7 +72,7 @@ std::optional<Hdf5Columns::Length> kept(const StateReader* from) {
 
 }  // namespace
 
-bool ContactsH5::asked(const Scene& scene, const RunInfo& info) {
+bool ContactsH5::asked(const scene::Scene& scene, const sim::RunInfo& info) {
   if (scene.contact.integrator == Integrator::reference) return false;  // its impacts occur within a step
   switch (scene.output.contacts) {
     case StoredContacts::all:
@@ -85,7 +85,7 @@ bool ContactsH5::asked(const Scene& scene, const RunInfo& info) {
   return false;
 }
 
-ContactsH5::ContactsH5(const std::filesystem::path& path, const Scene& scene, const RunInfo& info,
+ContactsH5::ContactsH5(const std::filesystem::path& path, const scene::Scene& scene, const sim::RunInfo& info,
                        const StateReader* from)
     : of_all_bodies_(scene.output.contacts == StoredContacts::all),
       has_vessel_(info.has_vessel),
@@ -100,15 +100,16 @@ ContactsH5::~ContactsH5() {
   }
 }
 
-void ContactsH5::step(const StepRecord& record, const std::vector<SolvedProblem>& parts, const LoadedBodies& loaded) {
-  for (const SolvedProblem& solved : parts)
+void ContactsH5::step(const sim::StepRecord& record, const std::vector<contact::SolvedProblem>& parts,
+                      const LoadedBodies& loaded) {
+  for (const contact::SolvedProblem& solved : parts)
     for (const ContactRow& row : contact_rows(solved, loaded, of_all_bodies_)) add(row, record);
   columns_.end_block();
   if (columns_.pending_rows() >= k_rows_together || std::chrono::steady_clock::now() - written_ >= k_longest_wait)
     write();
 }
 
-void ContactsH5::add(const ContactRow& row, const StepRecord& record) {
+void ContactsH5::add(const ContactRow& row, const sim::StepRecord& record) {
   const auto add_vector = [&](const Vec3& x) {
     for (const double component : x) columns_.add(component);
   };
@@ -145,4 +146,4 @@ void ContactsH5::save(StateWriter out) const {
   out.add("rows", columns_.length().rows);
 }
 
-}  // namespace nilas
+}  // namespace nilas::output

@@ -9,24 +9,26 @@
 #include "core/output/tables/contact_rows.h"
 #include "core/scene/scene.h"
 
-namespace nilas {
+namespace nilas::output {
 
 /// Writes contacts.h5. Steps are written at most a second after they were made, or when many rows are waiting.
 class ContactsH5 {
  public:
   /// Whether the scene asks for the file: for contacts of the vessel and of structures, where there are any, or of all
   /// bodies. Never with integrator "reference".
-  static bool asked(const Scene& scene, const RunInfo& info);
+  static bool asked(const scene::Scene& scene, const sim::RunInfo& info);
 
   /// Opens the file. `from`: the result of save(), to which the file is cut. Throws FileError, InputError.
-  ContactsH5(const std::filesystem::path& path, const Scene& scene, const RunInfo& info, const StateReader* from);
+  ContactsH5(const std::filesystem::path& path, const scene::Scene& scene, const sim::RunInfo& info,
+             const StateReader* from);
   /// Writes pending rows if possible, for a run that ends with an error.
   ~ContactsH5();
   ContactsH5(const ContactsH5&) = delete;
   ContactsH5& operator=(const ContactsH5&) = delete;
 
   /// Throws FileError.
-  void step(const StepRecord& record, const std::vector<SolvedProblem>& parts, const LoadedBodies& loaded);
+  void step(const sim::StepRecord& record, const std::vector<contact::SolvedProblem>& parts,
+            const LoadedBodies& loaded);
   /// Returns when all steps are on the disk. Throws FileError.
   void sync();
   /// Throws FileError.
@@ -34,12 +36,12 @@ class ContactsH5 {
   void save(StateWriter out) const;
 
  private:
-  void add(const ContactRow& row, const StepRecord& record);
+  void add(const ContactRow& row, const sim::StepRecord& record);
   void write();
 
   bool of_all_bodies_, has_vessel_, has_couples_;
-  Hdf5Columns columns_;
+  hdf5::Hdf5Columns columns_;
   std::chrono::steady_clock::time_point written_;
 };
 
-}  // namespace nilas
+}  // namespace nilas::output

@@ -2,7 +2,7 @@
 
 #include "core/output/file/csv_row.h"
 
-namespace nilas {
+namespace nilas::output {
 
 EventsCsv::EventsCsv(const std::filesystem::path& path, std::optional<std::int64_t> keep) : file_(path, "", keep) {
   if (keep) return;
@@ -10,10 +10,10 @@ EventsCsv::EventsCsv(const std::filesystem::path& path, std::optional<std::int64
                            "radius_m", "load_ratio", "brash_kg", "extruded_kg"}));
 }
 
-void EventsCsv::rows(const std::vector<FractureEvent>& events) {
+void EventsCsv::rows(const std::vector<fracture::FractureEvent>& events) {
   std::string block;
   CsvRow row;
-  for (const FractureEvent& event : events) {
+  for (const fracture::FractureEvent& event : events) {
     std::string pieces;
     for (const std::int64_t id : event.pieces) pieces += (pieces.empty() ? "" : ";") + std::to_string(id);
     row.clear();
@@ -25,4 +25,4 @@ void EventsCsv::rows(const std::vector<FractureEvent>& events) {
   if (!block.empty()) file_.append(block);
 }
 
-}  // namespace nilas
+}  // namespace nilas::output

@@ -2,7 +2,7 @@
 
 #include "core/base/error.h"
 
-namespace nilas {
+namespace nilas::output {
 
 namespace {
 
@@ -23,9 +23,9 @@ std::vector<std::string> coordinate_columns(JointKind joint) {
 
 }  // namespace
 
-std::vector<std::string> part_columns(const std::vector<PartInfo>& parts, const std::vector<std::string>& rods) {
+std::vector<std::string> part_columns(const std::vector<sim::PartInfo>& parts, const std::vector<std::string>& rods) {
   std::vector<std::string> columns{"time_s"};
-  for (const PartInfo& part : parts) {
+  for (const sim::PartInfo& part : parts) {
     const auto add = [&](const std::string& column) { columns.push_back(part.name + "_" + column); };
     for (const char* source : {"joint", "contact"}) {
       for (const char* axis : {"x", "y", "z"}) add(std::string(source) + "_f" + axis + "_N");
@@ -39,18 +39,18 @@ std::vector<std::string> part_columns(const std::vector<PartInfo>& parts, const 
   return columns;
 }
 
-PartsCsv::PartsCsv(const std::filesystem::path& path, const RunInfo& info, std::optional<std::int64_t> keep)
+PartsCsv::PartsCsv(const std::filesystem::path& path, const sim::RunInfo& info, std::optional<std::int64_t> keep)
     : file_(path, "", keep), parts_(info.parts), rods_(static_cast<Eigen::Index>(info.rods.size())) {
   if (!keep) file_.append(csv_header(part_columns(parts_, info.rods)));
 }
 
-void PartsCsv::row(double t, const VesselRecord& vessel) {
-  const std::vector<PartRecord>& parts = vessel.parts;
+void PartsCsv::row(double t, const sim::VesselRecord& vessel) {
+  const std::vector<sim::PartRecord>& parts = vessel.parts;
   NILAS_DEMAND(parts.size() == parts_.size() && vessel.rods.size() == rods_);
   row_.clear();
   row_.fixed(t);
   for (std::size_t k = 0; k < parts.size(); ++k) {
-    const PartRecord& part = parts[k];
+    const sim::PartRecord& part = parts[k];
     for (const Wrench& load : {part.joint, part.contact}) {
       for (const double x : load.force) row_.fixed(x);
       for (const double x : load.torque) row_.fixed(x);
@@ -65,4 +65,4 @@ void PartsCsv::row(double t, const VesselRecord& vessel) {
   file_.append(row_.line());
 }
 
-}  // namespace nilas
+}  // namespace nilas::output

@@ -7,7 +7,7 @@
 #include "contact/fclib/fclib_io.h"
 #include "core/base/error.h"
 
-namespace nilas {
+namespace nilas::output {
 
 static constexpr const char* k_worst = "worst.hdf5";
 
@@ -18,13 +18,13 @@ std::string kept_worst_name(long step) { return numbered("worst", step); }
 ProblemFiles::ProblemFiles(const std::filesystem::path& run_folder, StoredProblems which)
     : folder_(run_folder / "problems"), which_(which) {}
 
-void ProblemFiles::step(const StepRecord& record, const SolvedProblem& solved) {
+void ProblemFiles::step(const sim::StepRecord& record, const contact::SolvedProblem& solved) {
   if (solved.problem.num_contacts() == 0) return;
   switch (which_) {
     case StoredProblems::never:
       return;
     case StoredProblems::failed:
-      if (record.status != SolveStatus::converged) write(numbered("step", record.step), solved);
+      if (record.status != contact::SolveStatus::converged) write(numbered("step", record.step), solved);
       return;
     case StoredProblems::every:
       return write(numbered("step", record.step), solved);
@@ -37,7 +37,7 @@ void ProblemFiles::step(const StepRecord& record, const SolvedProblem& solved) {
   }
 }
 
-void ProblemFiles::last(const SolvedProblem& solved) const {
+void ProblemFiles::last(const contact::SolvedProblem& solved) const {
   if (solved.problem.num_contacts() > 0) write("last.hdf5", solved);
 }
 
@@ -69,11 +69,11 @@ void ProblemFiles::keep_worst() const {
     throw FileError((folder_ / k_worst).string() + ": cannot be renamed: " + error.message());
 }
 
-void ProblemFiles::write(const std::string& name, const SolvedProblem& solved) const {
+void ProblemFiles::write(const std::string& name, const contact::SolvedProblem& solved) const {
   std::error_code error;
   std::filesystem::create_directories(folder_, error);
   if (error) throw FileError(folder_.string() + ": " + error.message());
-  write_fclib(folder_ / name, solved.problem, &solved.solution);
+  contact::write_fclib(folder_ / name, solved.problem, &solved.solution);
 }
 
-}  // namespace nilas
+}  // namespace nilas::output

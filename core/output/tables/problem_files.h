@@ -7,7 +7,7 @@
 #include "core/choices/output_choices.h"
 #include "core/sim/account/step_record.h"
 
-namespace nilas {
+namespace nilas::output {
 
 /// Name under which the worst problem at the newest checkpoint is kept once a later problem is worse.
 std::string kept_worst_name(long step);
@@ -19,10 +19,10 @@ class ProblemFiles {
   ProblemFiles(const std::filesystem::path& run_folder, StoredProblems which);
 
   /// Throws FileError.
-  void step(const StepRecord& record, const SolvedProblem& solved);
+  void step(const sim::StepRecord& record, const contact::SolvedProblem& solved);
   /// Stores the problem at which values ceased to be finite as last.hdf5, whatever the scene asks for. Throws
   /// FileError.
-  void last(const SolvedProblem& solved) const;
+  void last(const contact::SolvedProblem& solved) const;
 
   /// Saves which step's problem is the worst so far.
   void save(StateWriter out) const;
@@ -35,7 +35,7 @@ class ProblemFiles {
 
  private:
   void keep_worst() const;
-  void write(const std::string& name, const SolvedProblem& solved) const;
+  void write(const std::string& name, const contact::SolvedProblem& solved) const;
 
   std::filesystem::path folder_;
   StoredProblems which_;
@@ -43,4 +43,4 @@ class ProblemFiles {
   long worst_step_ = -1, saved_worst_step_ = -1;  ///< step of worst.hdf5; that in the newest checkpoint
 };
 
-}  // namespace nilas
+}  // namespace nilas::output

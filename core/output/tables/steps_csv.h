@@ -6,19 +6,19 @@
 #include "core/output/file/output_file.h"
 #include "core/sim/account/step_record.h"
 
-namespace nilas {
+namespace nilas::output {
 
 class StepsCsv {
  public:
   /// Opens the file. `keep`: as in OutputFile. Throws FileError, InputError.
-  StepsCsv(const std::filesystem::path& path, const RunInfo& info, std::optional<std::int64_t> keep = {});
+  StepsCsv(const std::filesystem::path& path, const sim::RunInfo& info, std::optional<std::int64_t> keep = {});
   /// Writes a row, with the fewest digits that read back to the same bits. Throws FileError.
-  void row(const StepRecord& record);
+  void row(const sim::StepRecord& record);
   void finish() { file_.close(); }
   const OutputFile& file() const { return file_; }
 
  private:
-  void add_ledger(const Ledger& ledger);
+  void add_ledger(const sim::Ledger& ledger);
 
   OutputFile file_;
   CsvRow row_;
@@ -26,4 +26,4 @@ class StepsCsv {
   std::size_t num_module_values_;
 };
 
-}  // namespace nilas
+}  // namespace nilas::output

@@ -1,6 +1,6 @@
 #include "core/output/tables/structure_channels.h"
 
-namespace nilas {
+namespace nilas::output {
 
 const std::vector<std::string>& structure_load_names() {
   static const std::vector<std::string> names{"contact_fx_N",  "contact_fy_N",  "contact_fz_N",     "contact_mx_Nm",
@@ -8,18 +8,18 @@ const std::vector<std::string>& structure_load_names() {
   return names;
 }
 
-std::vector<double> structure_loads(const StructureRecord& record, const Vec2& course) {
+std::vector<double> structure_loads(const sim::StructureRecord& record, const Vec2& course) {
   const Vec3 &f = record.contact.force, &m = record.contact.torque;
   const Vec2 horizontal = record.ice.head<2>();
-  return {f.x(), f.y(), f.z(), m.x(), m.y(), m.z(), -horizontal.dot(course), horizontal.dot(to_port(course))};
+  return {f.x(), f.y(), f.z(), m.x(), m.y(), m.z(), -horizontal.dot(course), horizontal.dot(sim::to_port(course))};
 }
 
-std::vector<std::string> structure_columns(const RunInfo& info) {
+std::vector<std::string> structure_columns(const sim::RunInfo& info) {
   std::vector<std::string> columns{"time_s"};
-  for (const StructureInfo& structure : info.structures) {
+  for (const sim::StructureInfo& structure : info.structures) {
     for (const std::string& load : structure_load_names()) columns.push_back(structure.name + "_" + load);
   }
   return columns;
 }
 
-}  // namespace nilas
+}  // namespace nilas::output

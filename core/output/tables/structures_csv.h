@@ -7,14 +7,14 @@
 #include "core/output/file/output_file.h"
 #include "core/sim/account/step_record.h"
 
-namespace nilas {
+namespace nilas::output {
 
 class StructuresCsv {
  public:
   /// Opens the file. `keep`: as in OutputFile. Throws FileError, InputError.
-  StructuresCsv(const std::filesystem::path& path, const RunInfo& info, std::optional<std::int64_t> keep = {});
+  StructuresCsv(const std::filesystem::path& path, const sim::RunInfo& info, std::optional<std::int64_t> keep = {});
   /// Throws FileError.
-  void row(const StepRecord& record);
+  void row(const sim::StepRecord& record);
   void finish() { file_.close(); }
   const OutputFile& file() const { return file_; }
 
@@ -24,4 +24,4 @@ class StructuresCsv {
   Vec2 course_;
 };
 
-}  // namespace nilas
+}  // namespace nilas::output

@@ -3,7 +3,7 @@
 #include "core/base/error.h"
 #include "core/output/tables/attitude.h"
 
-namespace nilas {
+namespace nilas::output {
 
 namespace {
 
@@ -16,7 +16,7 @@ void add(const Wrench& wrench, std::vector<double>& values) {
 
 }  // namespace
 
-VesselChannels::VesselChannels(const RunInfo& info)
+VesselChannels::VesselChannels(const sim::RunInfo& info)
     : num_modules_(info.vessel_loads.size()),
       has_carriage_(info.has_carriage),
       has_cells_(info.has_cells),
@@ -60,7 +60,7 @@ void VesselChannels::name_wrench(const std::string& source) {
   for (const char* axis : {"x", "y", "z"}) names_.push_back(source + "_m" + axis + "_Nm");
 }
 
-bool VesselChannels::read(const VesselRecord& record, std::vector<double>& values) const {
+bool VesselChannels::read(const sim::VesselRecord& record, std::vector<double>& values) const {
   NILAS_DEMAND(record.carriage.has_value() || !(has_carriage_ || has_cells_));
   NILAS_DEMAND(record.hydro.has_value() || !has_hydro_);
   NILAS_DEMAND(record.module_loads.size() == num_modules_);
@@ -78,7 +78,7 @@ bool VesselChannels::read(const VesselRecord& record, std::vector<double>& value
   if (has_hydro_) add(*record.hydro, values);
   for (const Wrench& load : record.module_loads) add(load, values);
 
-  const VesselState& state = record.state;
+  const vessel::VesselState& state = record.state;
   const EulerAngles angles = euler_angles(state.pose.q);
   const EulerRates rates = euler_rates(state.pose.q, state.w);
   add(state.pose.p, values);
@@ -87,8 +87,8 @@ bool VesselChannels::read(const VesselRecord& record, std::vector<double>& value
   add(Vec3(rates.roll, rates.pitch, rates.yaw) / k_deg, values);
   add(state.w, values);
   values.push_back(-record.ice.head<2>().dot(record.course));
-  values.push_back(record.ice.head<2>().dot(to_port(record.course)));
+  values.push_back(record.ice.head<2>().dot(sim::to_port(record.course)));
   return !angles.gimbal_lock;
 }
 
-}  // namespace nilas
+}  // namespace nilas::output

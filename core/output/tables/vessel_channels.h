@@ -6,7 +6,7 @@
 
 #include "core/sim/account/step_record.h"
 
-namespace nilas {
+namespace nilas::output {
 
 /// Number of loads along and across the course: ice_resistance_N, positive astern, and ice_side_N, positive to port.
 constexpr std::size_t k_num_course_loads = 2;
@@ -15,7 +15,7 @@ constexpr std::size_t k_num_course_loads = 2;
 /// across the course. Units are in the names, angles in degrees.
 class VesselChannels {
  public:
-  explicit VesselChannels(const RunInfo& info);
+  explicit VesselChannels(const sim::RunInfo& info);
 
   const std::vector<std::string>& names() const { return names_; }
   /// Names of the channels that are loads: those along the global axes, the tared cells, then those along and across
@@ -24,7 +24,7 @@ class VesselChannels {
   /// Values of the load channels, from all values as given by read().
   std::vector<double> loads(const std::vector<double>& values) const;
   /// Writes the values in the order of names(). Returns false at gimbal lock, where the angular rates are zero.
-  bool read(const VesselRecord& record, std::vector<double>& values) const;
+  bool read(const sim::VesselRecord& record, std::vector<double>& values) const;
 
  private:
   static constexpr int k_num_cells = 6;
@@ -41,4 +41,4 @@ class VesselChannels {
   bool has_carriage_ = false, has_cells_ = false, has_hydro_ = false;
 };
 
-}  // namespace nilas
+}  // namespace nilas::output

@@ -1,6 +1,6 @@
 #include "core/output/tables/vessel_csv.h"
 
-namespace nilas {
+namespace nilas::output {
 
 VesselCsv::VesselCsv(const std::filesystem::path& path, const VesselChannels& channels,
                      std::optional<std::int64_t> keep)
@@ -18,4 +18,4 @@ void VesselCsv::row(double t, const std::vector<double>& values) {
   file_.append(row_.line());
 }
 
-}  // namespace nilas
+}  // namespace nilas::output

@@ -7,7 +7,7 @@
 #include "core/output/file/output_file.h"
 #include "core/output/tables/vessel_channels.h"
 
-namespace nilas {
+namespace nilas::output {
 
 class VesselCsv {
  public:
@@ -23,4 +23,4 @@ class VesselCsv {
   CsvRow row_;
 };
 
-}  // namespace nilas
+}  // namespace nilas::output

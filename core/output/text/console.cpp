@@ -8,7 +8,7 @@
 #include <cmath>
 #include <sstream>
 
-namespace nilas {
+namespace nilas::output {
 
 namespace {
 
@@ -122,4 +122,4 @@ void Console::close(const std::string& text) {
   out_ << text << std::flush;
 }
 
-}  // namespace nilas
+}  // namespace nilas::output

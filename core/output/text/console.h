@@ -9,7 +9,7 @@
 
 #include "core/output/text/status_line.h"
 
-namespace nilas {
+namespace nilas::output {
 
 /// Style of progress. terminal: one line that redraws itself; plain: a line every 5 %; silent: nothing.
 enum class ConsoleStyle { terminal, plain, silent };
@@ -73,4 +73,4 @@ class Console {
   std::shared_ptr<StatusLine> line_;
 };
 
-}  // namespace nilas
+}  // namespace nilas::output

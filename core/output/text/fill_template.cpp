@@ -7,7 +7,7 @@
 #include "core/base/error.h"
 #include "core/output/text/html.h"
 
-namespace nilas {
+namespace nilas::output {
 
 namespace {
 
@@ -149,4 +149,4 @@ std::string fill_template(std::string_view text, const Json& data, Escape escape
   return Filler(text, data, escape).fill();
 }
 
-}  // namespace nilas
+}  // namespace nilas::output

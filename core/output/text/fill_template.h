@@ -14,7 +14,7 @@
 #include <string>
 #include <string_view>
 
-namespace nilas {
+namespace nilas::output {
 
 enum class Escape {
   html,    ///< for text and attributes: & < > " ' become entities
@@ -25,4 +25,4 @@ enum class Escape {
 /// part of the program.
 std::string fill_template(std::string_view text, const nlohmann::ordered_json& data, Escape escape);
 
-}  // namespace nilas
+}  // namespace nilas::output

@@ -3,7 +3,7 @@
 #include "core/base/error.h"
 #include "core/base/file_bytes.h"
 
-namespace nilas {
+namespace nilas::output {
 
 const char* const k_page_style =
     "body{font:14px/1.5 sans-serif;max-width:1100px;margin:2em auto;padding:0 1em;color:#222}"
@@ -36,4 +36,4 @@ std::string inline_svg(const std::filesystem::path& file) {
   return svg.substr(start);
 }
 
-}  // namespace nilas
+}  // namespace nilas::output

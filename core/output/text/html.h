@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-namespace nilas {
+namespace nilas::output {
 
 /// The text with <, >, & and both quotes as entities, for text and attributes.
 std::string html_text(const std::string& text);
@@ -14,4 +14,4 @@ std::string inline_svg(const std::filesystem::path& file);
 /// The style sheet of all pages.
 extern const char* const k_page_style;
 
-}  // namespace nilas
+}  // namespace nilas::output

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-namespace nilas {
+namespace nilas::output {
 
 PhaseLines::PhaseLines(ConsoleStyle style, std::string phase, double now, const PhaseTimes& times)
     : times_(times),
@@ -27,4 +27,4 @@ std::optional<std::string> PhaseLines::line(double now) {
   return phase_ + (so_far < 1 ? "" : ", " + duration_text(std::floor(so_far)) + " so far");
 }
 
-}  // namespace nilas
+}  // namespace nilas::output

@@ -5,7 +5,7 @@
 
 #include "core/output/text/console.h"
 
-namespace nilas {
+namespace nilas::output {
 
 /// Delays of the lines about phases [s].
 struct PhaseTimes {
@@ -34,4 +34,4 @@ class PhaseLines {
   double first_, since_, due_;  ///< no line before first_; start of the phase; time of the next line
 };
 
-}  // namespace nilas
+}  // namespace nilas::output

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-namespace nilas {
+namespace nilas::output {
 
 ConsoleStyle phase_style(bool quiet, bool json) {
   if (quiet) return ConsoleStyle::silent;
@@ -57,4 +57,4 @@ void PhaseProgress::tell(const std::string& line) {
     out_ << line + "\n" << std::flush;
 }
 
-}  // namespace nilas
+}  // namespace nilas::output

@@ -12,7 +12,7 @@
 #include "core/output/text/phase_lines.h"
 #include "core/output/text/status_line.h"
 
-namespace nilas {
+namespace nilas::output {
 
 /// The style for standard error. `json`: another program reads the results, so only a terminal gets progress.
 ConsoleStyle phase_style(bool quiet, bool json);
@@ -49,4 +49,4 @@ class PhaseProgress {
   std::jthread thread_;
 };
 
-}  // namespace nilas
+}  // namespace nilas::output

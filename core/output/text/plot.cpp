@@ -7,7 +7,7 @@
 
 #include "core/base/file_bytes.h"
 
-namespace nilas {
+namespace nilas::output {
 
 namespace {
 
@@ -38,4 +38,4 @@ void plot(const std::filesystem::path& folder, const std::string& script) {
   if (status != 0) throw PlotError("gnuplot failed: " + (said.empty() ? "status " + std::to_string(status) : said));
 }
 
-}  // namespace nilas
+}  // namespace nilas::output

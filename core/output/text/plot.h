@@ -5,7 +5,7 @@
 
 #include "core/base/error.h"
 
-namespace nilas {
+namespace nilas::output {
 
 /// Gnuplot is missing or failed. The pictures only repeat results that are also written otherwise.
 class PlotError : public FileError {
@@ -17,4 +17,4 @@ class PlotError : public FileError {
 /// written.
 void plot(const std::filesystem::path& folder, const std::string& script);
 
-}  // namespace nilas
+}  // namespace nilas::output

@@ -4,7 +4,7 @@
 
 #include <numeric>
 
-namespace nilas {
+namespace nilas::output {
 
 namespace {
 
@@ -29,10 +29,10 @@ Ends ends(const std::vector<double>& series, std::size_t first) {
 
 }  // namespace
 
-void StepCosts::add(const StepRecord& record) {
+void StepCosts::add(const sim::StepRecord& record) {
   ms_.push_back(std::accumulate(record.ms.begin(), record.ms.end(), 0.0));
-  solver_ms_.push_back(record.ms[static_cast<std::size_t>(Phase::solver)]);
-  fracture_ms_.push_back(record.ms[static_cast<std::size_t>(Phase::fracture)]);
+  solver_ms_.push_back(record.ms[static_cast<std::size_t>(sim::Phase::solver)]);
+  fracture_ms_.push_back(record.ms[static_cast<std::size_t>(sim::Phase::fracture)]);
   contacts_.push_back(record.contacts);
   iterations_.push_back(record.iterations);
 }
@@ -72,4 +72,4 @@ void StepCosts::restore(const StateReader& in, std::size_t steps) {
   in.get("iterations", iterations_, steps);
 }
 
-}  // namespace nilas
+}  // namespace nilas::output

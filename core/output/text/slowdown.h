@@ -6,12 +6,12 @@
 #include "core/base/state.h"
 #include "core/sim/account/step_record.h"
 
-namespace nilas {
+namespace nilas::output {
 
 /// One value per step.
 class StepCosts {
  public:
-  void add(const StepRecord& record);
+  void add(const sim::StepRecord& record);
   /// Whole sentences about why the last quarter of the steps from `first` on takes longer than the first quarter. Empty
   /// where it takes less than 1.5 times as long, or the run is short.
   std::string slowdown(std::size_t first) const;
@@ -23,4 +23,4 @@ class StepCosts {
   std::vector<double> ms_, contacts_, iterations_, solver_ms_, fracture_ms_;
 };
 
-}  // namespace nilas
+}  // namespace nilas::output

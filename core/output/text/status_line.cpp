@@ -4,7 +4,7 @@
 
 #include <utility>
 
-namespace nilas {
+namespace nilas::output {
 
 namespace {
 
@@ -43,4 +43,4 @@ void make_room(spdlog::logger& logger, std::shared_ptr<StatusLine> line) {
   logger.sinks().insert(logger.sinks().begin(), std::move(eraser));
 }
 
-}  // namespace nilas
+}  // namespace nilas::output

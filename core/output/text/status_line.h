@@ -7,7 +7,7 @@
 #include <ostream>
 #include <string>
 
-namespace nilas {
+namespace nilas::output {
 
 /// The status line; may be used from several threads.
 class StatusLine {
@@ -28,4 +28,4 @@ class StatusLine {
 /// Makes `logger` erase the line before its messages.
 void make_room(spdlog::logger& logger, std::shared_ptr<StatusLine> line);
 
-}  // namespace nilas
+}  // namespace nilas::output

@@ -3,11 +3,11 @@
 #include <cmath>
 #include <numeric>
 
-namespace nilas {
+namespace nilas::output {
 
 namespace {
 
-PolygonSurface prism_surface(const Shape& shape) {
+PolygonSurface prism_surface(const geometry::Shape& shape) {
   PolygonSurface surface;
   const auto n = static_cast<std::int32_t>(shape.outline.size());
   for (const double z : {-0.5 * shape.thickness, 0.5 * shape.thickness})
@@ -49,7 +49,7 @@ PolygonSurface sphere_surface(double radius) {
   return surface;
 }
 
-PolygonSurface triangle_surface(const TriangleMesh& mesh) {
+PolygonSurface triangle_surface(const geometry::TriangleMesh& mesh) {
   PolygonSurface surface;
   surface.points = mesh.vertices;
   for (const auto& t : mesh.triangles) surface.add_polygon({t[0], t[1], t[2]});
@@ -63,20 +63,20 @@ void PolygonSurface::add_polygon(const std::vector<std::int32_t>& loop) {
   ends.push_back(static_cast<std::int32_t>(corners.size()));
 }
 
-PolygonSurface polygon_surface(const Shape& shape) {
+PolygonSurface polygon_surface(const geometry::Shape& shape) {
   switch (shape.kind) {
-    case ShapeKind::prism:
+    case geometry::ShapeKind::prism:
       return prism_surface(shape);
-    case ShapeKind::sphere:
+    case geometry::ShapeKind::sphere:
       return sphere_surface(shape.radius);
-    case ShapeKind::plane:
+    case geometry::ShapeKind::plane:
       return {};
-    case ShapeKind::box:
-    case ShapeKind::cylinder:
-    case ShapeKind::mesh:
+    case geometry::ShapeKind::box:
+    case geometry::ShapeKind::cylinder:
+    case geometry::ShapeKind::mesh:
       return triangle_surface(shape.surface);
   }
   return {};
 }
 
-}  // namespace nilas
+}  // namespace nilas::output

@@ -5,7 +5,7 @@
 
 #include "core/geometry/shape.h"
 
-namespace nilas {
+namespace nilas::output {
 
 /// Polygons in a body frame: polygon k has the corners corners[ends[k-1]] .. corners[ends[k] - 1], counter-clockwise
 /// from outside.
@@ -19,6 +19,6 @@ struct PolygonSurface {
 
 /// The surface of a shape. Prism: bottom, top and one quadrilateral per side. Sphere: a grid of parallels and
 /// meridians. Plane: empty. Others: their triangles.
-PolygonSurface polygon_surface(const Shape& shape);
+PolygonSurface polygon_surface(const geometry::Shape& shape);
 
-}  // namespace nilas
+}  // namespace nilas::output

@@ -6,7 +6,7 @@
 #include "core/output/vtk/vtp_document.h"
 #include "core/output/vtk/vtp_forces.h"
 
-namespace nilas {
+namespace nilas::output {
 
 namespace {
 
@@ -17,7 +17,7 @@ constexpr const char* k_list_tail = "</Collection>\n</VTKFile>\n";
 constexpr const char *k_water = "water.vtp", *k_walls = "walls.vtp";
 
 /// Horizontal box around everything but planes; empty where there is nothing.
-Eigen::AlignedBox2d plan_box(const Bodies& bodies, const std::vector<PolygonSurface>& surfaces) {
+Eigen::AlignedBox2d plan_box(const bodies::Bodies& bodies, const std::vector<PolygonSurface>& surfaces) {
   Eigen::AlignedBox2d box;
   for (std::size_t b = 0; b < surfaces.size(); ++b)
     for (const Vec3& x : surfaces[b].points) box.extend((bodies.p_GB[b] + bodies.R_GB[b] * x).head<2>());
@@ -26,7 +26,7 @@ Eigen::AlignedBox2d plan_box(const Bodies& bodies, const std::vector<PolygonSurf
 
 }  // namespace
 
-Trajectory::Trajectory(const std::filesystem::path& run_folder, const Scene& scene, bool has_forces,
+Trajectory::Trajectory(const std::filesystem::path& run_folder, const scene::Scene& scene, bool has_forces,
                        std::optional<std::int64_t> keep)
     : folder_(run_folder / "trajectory"),
       has_forces_(has_forces),
@@ -35,16 +35,16 @@ Trajectory::Trajectory(const std::filesystem::path& run_folder, const Scene& sce
       water_level_(scene.water ? std::optional(scene.water->level) : std::nullopt),
       tank_(scene.tank),
       list_(run_folder / "trajectory.pvd", k_list_tail, keep) {
-  if (scene.ice) moving_.push_back({"ice floes", "ice", BodyKind::floe});
-  if (scene.vessel) moving_.push_back({"vessel", "vessel", BodyKind::vessel});
-  if (!scene.bodies.empty()) moving_.push_back({"bodies", "bodies", BodyKind::rigid});
+  if (scene.ice) moving_.push_back({"ice floes", "ice", bodies::BodyKind::floe});
+  if (scene.vessel) moving_.push_back({"vessel", "vessel", bodies::BodyKind::vessel});
+  if (!scene.bodies.empty()) moving_.push_back({"bodies", "bodies", bodies::BodyKind::rigid});
   std::error_code error;
   std::filesystem::create_directories(folder_, error);
   if (error) throw FileError(folder_.string() + ": cannot create the folder: " + error.message());
   if (!keep) list_.append(k_list_head);
 }
 
-void Trajectory::frame(double t, long step, const Bodies& bodies, const ShownStep& shown) {
+void Trajectory::frame(double t, long step, const bodies::Bodies& bodies, const ShownStep& shown) {
   follow_shapes(bodies);
   if (step == 0) write_what_stays(bodies);
   std::string entries;
@@ -68,8 +68,9 @@ void Trajectory::frame(double t, long step, const Bodies& bodies, const ShownSte
   list_.append(entries);
 }
 
-const std::string& Trajectory::surfaces_of(BodyKind kind, const Bodies& bodies, const FloeDamage& damage) {
-  const bool with_damage = has_damage_ && kind == BodyKind::floe;
+const std::string& Trajectory::surfaces_of(bodies::BodyKind kind, const bodies::Bodies& bodies,
+                                           const FloeDamage& damage) {
+  const bool with_damage = has_damage_ && kind == bodies::BodyKind::floe;
   frame_.clear(with_damage);
   for (std::size_t b = 0; b < surfaces_.size(); ++b)
     if (bodies.kind[b] == kind && !surfaces_[b].ends.empty())
@@ -77,13 +78,13 @@ const std::string& Trajectory::surfaces_of(BodyKind kind, const Bodies& bodies, 
   return frame_.document();
 }
 
-void Trajectory::write_what_stays(const Bodies& bodies) {
+void Trajectory::write_what_stays(const bodies::Bodies& bodies) {
   if (water_level_) write_whole(folder_ / k_water, water_document(bodies));
-  if (has_walls_) write_whole(folder_ / k_walls, surfaces_of(BodyKind::wall, bodies, {}));
+  if (has_walls_) write_whole(folder_ / k_walls, surfaces_of(bodies::BodyKind::wall, bodies, {}));
 }
 
 /// The water surface over the tank, else around the bodies at the start.
-std::string Trajectory::water_document(const Bodies& bodies) const {
+std::string Trajectory::water_document(const bodies::Bodies& bodies) const {
   const double level = water_level_.value();
   if (tank_) return rectangle_document(0, -0.5 * tank_->width, tank_->length, 0.5 * tank_->width, level);
   constexpr double k_margin = 0.1;  // share of the larger side
@@ -94,7 +95,7 @@ std::string Trajectory::water_document(const Bodies& bodies) const {
   return rectangle_document(low.x(), low.y(), high.x(), high.y(), level);
 }
 
-void Trajectory::follow_shapes(const Bodies& bodies) {
+void Trajectory::follow_shapes(const bodies::Bodies& bodies) {
   shapes_.resize(bodies.shape.size());
   surfaces_.resize(bodies.shape.size());
   for (std::size_t b = 0; b < bodies.shape.size(); ++b) {
@@ -104,4 +105,4 @@ void Trajectory::follow_shapes(const Bodies& bodies) {
   }
 }
 
-}  // namespace nilas
+}  // namespace nilas::output

@@ -14,7 +14,7 @@
 #include "core/output/vtk/vtp_frame.h"
 #include "core/scene/scene.h"
 
-namespace nilas {
+namespace nilas::output {
 
 /// Damage of the floe with this id.
 using FloeDamage = std::function<double(std::int64_t)>;
@@ -32,11 +32,11 @@ class Trajectory {
  public:
   /// Opens the list of frames. `has_forces`: the run stores contacts. `keep`: as in OutputFile, for the list. Throws
   /// FileError, InputError.
-  Trajectory(const std::filesystem::path& run_folder, const Scene& scene, bool has_forces,
+  Trajectory(const std::filesystem::path& run_folder, const scene::Scene& scene, bool has_forces,
              std::optional<std::int64_t> keep = {});
   /// Writes the bodies at time t [s] and the data of the step as trajectory/step-<step>-<part>.vtp, and lists them.
   /// Fixed things are written at step 0. Throws FileError.
-  void frame(double t, long step, const Bodies& bodies, const ShownStep& shown = {});
+  void frame(double t, long step, const bodies::Bodies& bodies, const ShownStep& shown = {});
   void finish() { list_.close(); }
   const OutputFile& list() const { return list_; }
 
@@ -44,23 +44,23 @@ class Trajectory {
   /// A part of the list; `stem` ends the names of its files.
   struct Part {
     const char *name, *stem;
-    BodyKind kind;
+    bodies::BodyKind kind;
   };
 
-  void follow_shapes(const Bodies& bodies);
-  const std::string& surfaces_of(BodyKind kind, const Bodies& bodies, const FloeDamage& damage);
-  void write_what_stays(const Bodies& bodies);
-  std::string water_document(const Bodies& bodies) const;
+  void follow_shapes(const bodies::Bodies& bodies);
+  const std::string& surfaces_of(bodies::BodyKind kind, const bodies::Bodies& bodies, const FloeDamage& damage);
+  void write_what_stays(const bodies::Bodies& bodies);
+  std::string water_document(const bodies::Bodies& bodies) const;
 
   std::filesystem::path folder_;
   std::vector<Part> moving_;
   bool has_forces_, has_walls_, has_damage_;
   std::optional<double> water_level_;  ///< [m]
-  std::optional<TankScene> tank_;
+  std::optional<scene::TankScene> tank_;
   OutputFile list_;
-  std::vector<std::shared_ptr<const Shape>> shapes_;  ///< shapes of the bodies in the newest frame
-  std::vector<PolygonSurface> surfaces_;              ///< one per shape
+  std::vector<std::shared_ptr<const geometry::Shape>> shapes_;  ///< shapes of the bodies in the newest frame
+  std::vector<PolygonSurface> surfaces_;                        ///< one per shape
   VtpFrame frame_;
 };
 
-}  // namespace nilas
+}  // namespace nilas::output

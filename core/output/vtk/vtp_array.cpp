@@ -11,7 +11,7 @@
 
 #include "core/base/error.h"
 
-namespace nilas {
+namespace nilas::output {
 
 namespace {
 
@@ -171,4 +171,4 @@ void append(const Vec3& x, std::vector<float>& out) {
   for (const double component : x) out.push_back(static_cast<float>(component));
 }
 
-}  // namespace nilas
+}  // namespace nilas::output

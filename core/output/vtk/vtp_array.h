@@ -8,7 +8,7 @@
 
 #include "core/base/math.h"
 
-namespace nilas {
+namespace nilas::output {
 
 /// Compresses to an LZ4 block (format 1.6) that stores consecutive repeats of a value of `width` bytes as one match,
 /// and everything else as literals: the thousands of facets of one body have the same velocity.
@@ -39,4 +39,4 @@ void add_data_array(const ArrayType& type, const std::vector<Number>& x, std::st
 /// Appends the three components of x.
 void append(const Vec3& x, std::vector<float>& out);
 
-}  // namespace nilas
+}  // namespace nilas::output

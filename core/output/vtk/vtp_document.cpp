@@ -6,7 +6,7 @@
 
 #include "core/output/vtk/vtp_array.h"
 
-namespace nilas {
+namespace nilas::output {
 
 std::string polydata_head(const std::string& field_data, const PolyDataCounts& counts) {
   const std::string fields = field_data.empty() ? "" : "<FieldData>\n" + field_data + "</FieldData>\n";
@@ -30,4 +30,4 @@ std::string rectangle_document(double low_x, double low_y, double high_x, double
   return text + "</Polys>\n" + k_polydata_tail;
 }
 
-}  // namespace nilas
+}  // namespace nilas::output

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <string>
 
-namespace nilas {
+namespace nilas::output {
 
 /// Numbers of elements in a document.
 struct PolyDataCounts {
@@ -15,4 +15,4 @@ inline constexpr const char* k_polydata_tail = "</Piece>\n</PolyData>\n</VTKFile
 /// A document with a horizontal rectangle between two corners [m], as the surface of still water.
 std::string rectangle_document(double low_x, double low_y, double high_x, double high_y, double z);
 
-}  // namespace nilas
+}  // namespace nilas::output

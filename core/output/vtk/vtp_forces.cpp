@@ -5,7 +5,7 @@
 #include "core/output/vtk/vtp_array.h"
 #include "core/output/vtk/vtp_document.h"
 
-namespace nilas {
+namespace nilas::output {
 
 std::string contact_forces_document(const std::vector<ContactRow>& rows, double h) {
   std::vector<float> points, force, normal, gap;
@@ -40,4 +40,4 @@ std::string contact_forces_document(const std::vector<ContactRow>& rows, double 
   return text + "</Verts>\n" + k_polydata_tail;
 }
 
-}  // namespace nilas
+}  // namespace nilas::output

@@ -3,19 +3,19 @@
 #include "core/output/vtk/vtp_array.h"
 #include "core/output/vtk/vtp_document.h"
 
-namespace nilas {
+namespace nilas::output {
 
 namespace {
 
-std::uint8_t kind_number(BodyKind kind) {
+std::uint8_t kind_number(bodies::BodyKind kind) {
   switch (kind) {
-    case BodyKind::floe:
+    case bodies::BodyKind::floe:
       return 0;
-    case BodyKind::vessel:
+    case bodies::BodyKind::vessel:
       return 1;
-    case BodyKind::rigid:
+    case bodies::BodyKind::rigid:
       return 2;
-    case BodyKind::wall:
+    case bodies::BodyKind::wall:
       return 3;
   }
   return 2;
@@ -38,7 +38,7 @@ void VtpFrame::clear(bool with_damage) {
   body_name_.clear();
 }
 
-void VtpFrame::add(const Bodies& bodies, std::size_t b, const PolygonSurface& surface, double damage) {
+void VtpFrame::add(const bodies::Bodies& bodies, std::size_t b, const PolygonSurface& surface, double damage) {
   const auto first_point = static_cast<std::int32_t>(points_.size() / 3);
   const auto first_corner = static_cast<std::int32_t>(corners_.size());
   for (const Vec3& x : surface.points) append(bodies.p_GB[b] + bodies.R_GB[b] * x, points_);
@@ -78,4 +78,4 @@ const std::string& VtpFrame::document() {
   return text_ += k_polydata_tail;
 }
 
-}  // namespace nilas
+}  // namespace nilas::output

@@ -7,7 +7,7 @@
 #include "core/bodies/bodies.h"
 #include "core/output/vtk/body_surface.h"
 
-namespace nilas {
+namespace nilas::output {
 
 /// Facets of bodies in G. Kept between frames, so that arrays are allocated once.
 class VtpFrame {
@@ -17,7 +17,7 @@ class VtpFrame {
   /// Adds body `b`. Each of its facets has `id`, `kind` (0 floe, 1 vessel, 2 rigid body, 3 wall), `thickness_m` (0
   /// unless a plate), `speed_m_s` and `velocity_m_s` of the centre of mass. The field data `body_id` and `body_name`
   /// list the bodies.
-  void add(const Bodies& bodies, std::size_t b, const PolygonSurface& surface, double damage = 0);
+  void add(const bodies::Bodies& bodies, std::size_t b, const PolygonSurface& surface, double damage = 0);
   /// The document as text, valid until the next call.
   const std::string& document();
 
@@ -31,4 +31,4 @@ class VtpFrame {
   std::string text_;
 };
 
-}  // namespace nilas
+}  // namespace nilas::output

@@ -2,7 +2,7 @@
 #include "core/scene/check/cross_checks.h"
 #include "core/scene/schema/attribute_values.h"
 
-namespace nilas {
+namespace nilas::scene {
 
 void check_body(const SceneElement& body, std::vector<Fault>& faults) {
   const auto shape = choice_of<SolidShapeKind>(body, "shape");
@@ -20,4 +20,4 @@ void check_body(const SceneElement& body, std::vector<Fault>& faults) {
   check_inertia(body, faults);
 }
 
-}  // namespace nilas
+}  // namespace nilas::scene

@@ -5,7 +5,7 @@
 #include "core/scene/check/cross_checks.h"
 #include "core/scene/schema/attribute_values.h"
 
-namespace nilas {
+namespace nilas::scene {
 
 static const SceneElement* friction_with(const SceneElement& contact, const char* length) {
   for (const auto& friction : contact.children)
@@ -96,4 +96,4 @@ void check_contact(const SceneElement& root, const SceneElement& contact, std::v
   check_reference(root, contact, faults);
 }
 
-}  // namespace nilas
+}  // namespace nilas::scene

@@ -5,7 +5,7 @@
 
 #include "core/scene/schema/schema.h"
 
-namespace nilas {
+namespace nilas::scene {
 
 namespace {
 
@@ -113,4 +113,4 @@ void check_document(SceneElement& root, std::vector<Fault>& faults) {
   DocumentCheck(faults).check(root, *find_element(root.name));
 }
 
-}  // namespace nilas
+}  // namespace nilas::scene

@@ -5,7 +5,7 @@
 #include "core/scene/schema/attribute_values.h"
 #include "core/scene/schema/values.h"
 
-namespace nilas {
+namespace nilas::scene {
 
 static std::vector<std::string> known_materials(const SceneElement& root) {
   std::vector<std::string> names{"ice", "hull", "wall", "structure", "*"};
@@ -53,4 +53,4 @@ void check_friction(const SceneElement& root, const SceneElement& contact, std::
   }
 }
 
-}  // namespace nilas
+}  // namespace nilas::scene

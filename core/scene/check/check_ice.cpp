@@ -3,7 +3,7 @@
 #include "core/scene/schema/attribute_values.h"
 #include "core/scene/schema/values.h"
 
-namespace nilas {
+namespace nilas::scene {
 
 static void check_placement(const SceneElement& element, std::vector<Fault>& faults) {
   if (is_true(element, "fixed") && is_given_nonzero(element, "velocity"))
@@ -114,4 +114,4 @@ void check_ice(const SceneElement& ice, std::vector<Fault>& faults) {
   }
 }
 
-}  // namespace nilas
+}  // namespace nilas::scene

@@ -5,7 +5,7 @@
 #include "core/scene/schema/attribute_values.h"
 #include "core/scene/schema/schema.h"
 
-namespace nilas {
+namespace nilas::scene {
 
 /// Refuses attributes that the joint does not use, such as a spring in a weld or an angle of a slider.
 static void check_joint(const SceneElement& part, std::vector<Fault>& faults) {
@@ -66,4 +66,4 @@ void check_parts(const SceneElement& root, const SceneElement& vessel, std::vect
     faults.push_back(fault_of(*contact, "gyroscopic", "found 'false'; a vessel with <part> allows: true"));
 }
 
-}  // namespace nilas
+}  // namespace nilas::scene

@@ -5,7 +5,7 @@
 #include "core/scene/check/cross_checks.h"
 #include "core/scene/schema/attribute_values.h"
 
-namespace nilas {
+namespace nilas::scene {
 
 /// The scene's element that prevents the hull from moving; empty where it can move.
 static std::string held_fast(const SceneElement& vessel) {
@@ -56,4 +56,4 @@ void check_rods(const SceneElement& root, const SceneElement& vessel, std::vecto
                               "semi-implicit-euler, moreau"));
 }
 
-}  // namespace nilas
+}  // namespace nilas::scene

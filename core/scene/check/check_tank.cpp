@@ -2,7 +2,7 @@
 #include "core/scene/schema/attribute_values.h"
 #include "core/scene/schema/values.h"
 
-namespace nilas {
+namespace nilas::scene {
 
 namespace {
 
@@ -42,4 +42,4 @@ void check_tank(const SceneElement& root, const SceneElement& tank, std::vector<
   }
 }
 
-}  // namespace nilas
+}  // namespace nilas::scene

@@ -6,7 +6,7 @@
 #include "core/scene/schema/attribute_values.h"
 #include "core/scene/schema/values.h"
 
-namespace nilas {
+namespace nilas::scene {
 
 namespace {
 
@@ -107,4 +107,4 @@ class VaryCheck {
 
 void check_vary(const SceneElement& ice, std::vector<Fault>& faults) { VaryCheck(ice, faults).check(); }
 
-}  // namespace nilas
+}  // namespace nilas::scene

@@ -1,7 +1,7 @@
 #include "core/scene/check/cross_checks.h"
 #include "core/scene/schema/attribute_values.h"
 
-namespace nilas {
+namespace nilas::scene {
 
 static void check_hull(const SceneElement& vessel, std::vector<Fault>& faults) {
   const SceneElement* generated = child_of(vessel, "hull");
@@ -52,4 +52,4 @@ void check_vessel(const SceneElement& root, const SceneElement& vessel, std::vec
   if (const SceneElement* mass = child_of(vessel, "mass")) check_inertia(*mass, faults);
 }
 
-}  // namespace nilas
+}  // namespace nilas::scene

@@ -5,7 +5,7 @@
 #include "core/scene/schema/attribute_values.h"
 #include "core/scene/schema/values.h"
 
-namespace nilas {
+namespace nilas::scene {
 
 static void check_time(const SceneElement& time, std::vector<Fault>& faults) {
   const auto start = number_of(time, "start"), end = number_of(time, "end");
@@ -97,4 +97,4 @@ void cross_check(const SceneElement& root, std::vector<Fault>& faults) {
   }
 }
 
-}  // namespace nilas
+}  // namespace nilas::scene

@@ -5,7 +5,7 @@
 
 #include "core/scene/document/document.h"
 
-namespace nilas {
+namespace nilas::scene {
 
 /// Runs all checks below on a resolved tree.
 void cross_check(const SceneElement& root, std::vector<Fault>& faults);
@@ -29,4 +29,4 @@ void check_friction(const SceneElement& root, const SceneElement& contact, std::
 /// An inertia tensor (xx yy zz xy xz yz) must be one that a mass distribution can have.
 void check_inertia(const SceneElement& element, std::vector<Fault>& faults);
 
-}  // namespace nilas
+}  // namespace nilas::scene

@@ -3,7 +3,7 @@
 #include "core/scene/schema/attribute_values.h"
 #include "core/scene/schema/values.h"
 
-namespace nilas {
+namespace nilas::scene {
 
 /// Measured coefficients of ice on ice, steel, paint and concrete stay below one.
 static void doubt_friction(const SceneElement& contact, std::vector<Fault>& warnings) {
@@ -39,4 +39,4 @@ std::vector<Fault> implausible_values(const SceneElement& root) {
   return warnings;
 }
 
-}  // namespace nilas
+}  // namespace nilas::scene

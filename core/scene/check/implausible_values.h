@@ -4,9 +4,9 @@
 
 #include "core/scene/document/document.h"
 
-namespace nilas {
+namespace nilas::scene {
 
 /// Warnings with their places, on a resolved tree without faults.
 std::vector<Fault> implausible_values(const SceneElement& root);
 
-}  // namespace nilas
+}  // namespace nilas::scene

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace nilas {
+namespace nilas::scene {
 
 SceneElement make_element(const std::string& name, const SceneElement* parent, const Place& place) {
   SceneElement element;
@@ -68,4 +68,4 @@ std::string write_document(const SceneElement& root) {
   return printer.CStr();
 }
 
-}  // namespace nilas
+}  // namespace nilas::scene

@@ -6,7 +6,7 @@
 
 #include "core/base/error.h"
 
-namespace nilas {
+namespace nilas::scene {
 
 /// A place in a file. Column 0: unknown. Line 0: not in a file; `file` is then the origin, such as "--set".
 struct Place {
@@ -54,4 +54,4 @@ SceneElement parse_document(const std::string& text, const std::string& file);
 /// XML text of the tree.
 std::string write_document(const SceneElement& root);
 
-}  // namespace nilas
+}  // namespace nilas::scene

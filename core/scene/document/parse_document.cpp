@@ -6,7 +6,7 @@
 #include "core/scene/document/source_columns.h"
 #include "core/scene/document/xml_syntax.h"
 
-namespace nilas {
+namespace nilas::scene {
 
 namespace {
 
@@ -95,4 +95,4 @@ SceneElement parse_document(const std::string& text, const std::string& file) {
   return TreeBuilder(text, file).build(*document.RootElement(), nullptr);
 }
 
-}  // namespace nilas
+}  // namespace nilas::scene

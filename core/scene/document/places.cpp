@@ -2,7 +2,7 @@
 
 #include "core/scene/scene.h"
 
-namespace nilas {
+namespace nilas::scene {
 
 static void add_places(const SceneElement& element, const std::string& path, std::map<std::string, Fault>& places) {
   places.emplace(path, fault_of(element, ""));
@@ -31,4 +31,4 @@ Fault warning_at(const Scene& scene, const std::string& path, const std::string&
   return warning;
 }
 
-}  // namespace nilas
+}  // namespace nilas::scene

@@ -5,9 +5,9 @@
 
 #include "core/scene/document/document.h"
 
-namespace nilas {
+namespace nilas::scene {
 
 /// The places in the form of Scene::places.
 std::map<std::string, Fault> places_of(const SceneElement& root);
 
-}  // namespace nilas
+}  // namespace nilas::scene

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace nilas {
+namespace nilas::scene {
 
 static constexpr const char* k_blanks = " \t\r\n";
 
@@ -67,4 +67,4 @@ int SourceColumns::attribute(int line, const std::string& name) {
   return 0;
 }
 
-}  // namespace nilas
+}  // namespace nilas::scene

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace nilas {
+namespace nilas::scene {
 
 class SourceColumns {
  public:
@@ -26,4 +26,4 @@ class SourceColumns {
 /// Column of the character at `byte` in UTF-8 text: the number of characters before it plus one.
 int column_of(const std::string& line, std::size_t byte);
 
-}  // namespace nilas
+}  // namespace nilas::scene

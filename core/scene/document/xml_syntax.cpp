@@ -5,7 +5,7 @@
 
 #include "core/scene/document/source_columns.h"
 
-namespace nilas {
+namespace nilas::scene {
 
 namespace {
 
@@ -95,4 +95,4 @@ std::optional<Fault> tag_fault(const std::string& text, const std::string& file)
   return TagWalk(text, file).first_fault();
 }
 
-}  // namespace nilas
+}  // namespace nilas::scene

@@ -5,9 +5,9 @@
 
 #include "core/base/error.h"
 
-namespace nilas {
+namespace nilas::scene {
 
 /// The first tag that is incomplete, closes the wrong element or is never closed; empty when the tags match.
 std::optional<Fault> tag_fault(const std::string& text, const std::string& file);
 
-}  // namespace nilas
+}  // namespace nilas::scene

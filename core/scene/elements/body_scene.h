@@ -8,7 +8,7 @@
 #include "core/choices/body_choices.h"
 #include "core/choices/variant_kind.h"
 
-namespace nilas {
+namespace nilas::scene {
 
 struct BoxScene {
   Vec3 size = Vec3::Ones();  ///< edge lengths [m]
@@ -61,4 +61,4 @@ struct BodyScene : SolidScene {
   bool operator==(const BodyScene&) const = default;
 };
 
-}  // namespace nilas
+}  // namespace nilas::scene

@@ -8,7 +8,7 @@
 #include "core/choices/defaults.h"
 #include "core/choices/solver_name.h"
 
-namespace nilas {
+namespace nilas::scene {
 
 struct FrictionScene {
   std::string material_a = "*", material_b = "*";
@@ -42,4 +42,4 @@ struct ContactScene {
   bool operator==(const ContactScene&) const = default;
 };
 
-}  // namespace nilas
+}  // namespace nilas::scene

@@ -1,6 +1,6 @@
 #include "core/scene/elements/field_scene.h"
 
-namespace nilas {
+namespace nilas::scene {
 
 const RegionScene* FieldScene::region() const {
   return std::visit(Overloaded{[](const ChannelFieldScene& channel) { return &channel.ice.region; },
@@ -19,4 +19,4 @@ const SizeScene* FieldScene::size() const {
                     form);
 }
 
-}  // namespace nilas
+}  // namespace nilas::scene

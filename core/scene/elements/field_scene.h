@@ -10,7 +10,7 @@
 #include "core/choices/ice_choices.h"
 #include "core/choices/variant_kind.h"
 
-namespace nilas {
+namespace nilas::scene {
 
 // Distributions of the floe size, the square root of the area [m].
 struct FixedSizeScene {
@@ -145,4 +145,4 @@ struct FieldScene : IcePlacement {
   bool operator==(const FieldScene&) const = default;
 };
 
-}  // namespace nilas
+}  // namespace nilas::scene

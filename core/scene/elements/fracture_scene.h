@@ -5,7 +5,7 @@
 #include "core/choices/defaults.h"
 #include "core/choices/fracture_choices.h"
 
-namespace nilas {
+namespace nilas::scene {
 
 struct CrushingScene {
   CrushingModel model = CrushingModel::explicit_area;
@@ -57,4 +57,4 @@ struct FractureScene {
   bool operator==(const FractureScene&) const = default;
 };
 
-}  // namespace nilas
+}  // namespace nilas::scene

@@ -9,7 +9,7 @@
 #include "core/choices/ice_choices.h"
 #include "core/scene/elements/field_scene.h"
 
-namespace nilas {
+namespace nilas::scene {
 
 struct FloeScene : IcePlacement {
   std::string name;
@@ -46,4 +46,4 @@ struct IceScene {
   bool operator==(const IceScene&) const = default;
 };
 
-}  // namespace nilas
+}  // namespace nilas::scene

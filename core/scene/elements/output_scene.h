@@ -6,7 +6,7 @@
 
 #include "core/choices/output_choices.h"
 
-namespace nilas {
+namespace nilas::scene {
 
 struct OutputScene {
   std::string folder;             ///< relative to the working directory; empty: runs/<scene>-<time>
@@ -22,4 +22,4 @@ struct OutputScene {
   bool operator==(const OutputScene&) const = default;
 };
 
-}  // namespace nilas
+}  // namespace nilas::scene

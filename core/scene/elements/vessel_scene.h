@@ -10,7 +10,7 @@
 #include "core/choices/vessel_choices.h"
 #include "core/scene/elements/body_scene.h"
 
-namespace nilas {
+namespace nilas::scene {
 
 struct MassScene {
   std::optional<double> value;    ///< [kg]
@@ -93,4 +93,4 @@ struct VesselScene {
   bool operator==(const VesselScene&) const = default;
 };
 
-}  // namespace nilas
+}  // namespace nilas::scene

@@ -5,7 +5,7 @@
 #include "core/base/math.h"
 #include "core/choices/defaults.h"
 
-namespace nilas {
+namespace nilas::scene {
 
 struct CurrentScene {
   Vec3 velocity = Vec3::Zero();
@@ -45,4 +45,4 @@ struct TankScene {
   bool operator==(const TankScene&) const = default;
 };
 
-}  // namespace nilas
+}  // namespace nilas::scene

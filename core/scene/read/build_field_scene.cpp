@@ -3,7 +3,7 @@
 #include "core/scene/read/build_scene.h"
 #include "core/scene/schema/attribute_values.h"
 
-namespace nilas {
+namespace nilas::scene {
 
 static SizeScene build_size(const SceneElement& element) {
   const auto assign_ends = [&](auto size) {
@@ -145,4 +145,4 @@ FieldScene build_field_scene(const SceneElement& element) {
   return field;
 }
 
-}  // namespace nilas
+}  // namespace nilas::scene

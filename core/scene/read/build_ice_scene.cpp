@@ -4,7 +4,7 @@
 #include "core/scene/schema/attribute_values.h"
 #include "core/scene/schema/ice_presets.h"
 
-namespace nilas {
+namespace nilas::scene {
 
 static std::vector<Vec2> points_of(const SceneElement& element, const std::string& attribute) {
   const auto numbers = numbers_of(element, attribute).value_or(std::vector<double>{});
@@ -81,4 +81,4 @@ IceScene build_ice_scene(const SceneElement& element, const SceneElement* fractu
   return ice;
 }
 
-}  // namespace nilas
+}  // namespace nilas::scene

@@ -2,7 +2,7 @@
 
 #include "core/scene/schema/attribute_values.h"
 
-namespace nilas {
+namespace nilas::scene {
 
 static FrictionScene build_friction(const SceneElement& element) {
   FrictionScene friction;
@@ -216,4 +216,4 @@ Scene build_scene(const SceneElement& root) {
   return scene;
 }
 
-}  // namespace nilas
+}  // namespace nilas::scene

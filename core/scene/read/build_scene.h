@@ -3,7 +3,7 @@
 #include "core/scene/document/document.h"
 #include "core/scene/scene.h"
 
-namespace nilas {
+namespace nilas::scene {
 
 /// Builds everything except file, notes and as_run.
 Scene build_scene(const SceneElement& root);
@@ -18,4 +18,4 @@ VesselScene build_vessel_scene(const SceneElement& vessel);
 /// <vary>.
 IceScene build_ice_scene(const SceneElement& ice, const SceneElement* fracture);
 
-}  // namespace nilas
+}  // namespace nilas::scene

@@ -1,7 +1,7 @@
 #include "core/scene/read/build_scene.h"
 #include "core/scene/schema/attribute_values.h"
 
-namespace nilas {
+namespace nilas::scene {
 
 static HullGenerateScene build_generate(const SceneElement& element) {
   HullGenerateScene generate;
@@ -97,4 +97,4 @@ VesselScene build_vessel_scene(const SceneElement& element) {
   return vessel;
 }
 
-}  // namespace nilas
+}  // namespace nilas::scene

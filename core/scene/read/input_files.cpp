@@ -13,7 +13,7 @@
 #include "core/scene/schema/attribute_values.h"
 #include "core/scene/schema/schema.h"
 
-namespace nilas {
+namespace nilas::scene {
 
 namespace fs = std::filesystem;
 
@@ -200,4 +200,4 @@ std::vector<InputFile> name_by_copies(SceneElement& root) {
   return inputs;
 }
 
-}  // namespace nilas
+}  // namespace nilas::scene

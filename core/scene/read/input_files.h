@@ -8,7 +8,7 @@
 #include "core/scene/document/document.h"
 #include "core/scene/scene.h"
 
-namespace nilas {
+namespace nilas::scene {
 
 /// Subfolder of a run folder with copies of the input files, and the list in it, in the format of sha256sum.
 constexpr const char* k_input_folder = "inputs";
@@ -27,4 +27,4 @@ void check_files(const SceneElement& root, std::vector<Fault>& faults);
 /// alone. A tree read from a run folder is therefore the same.
 std::vector<InputFile> name_by_copies(SceneElement& root);
 
-}  // namespace nilas
+}  // namespace nilas::scene

@@ -3,7 +3,7 @@
 #include "core/scene/schema/schema.h"
 #include "core/scene/schema/values.h"
 
-namespace nilas {
+namespace nilas::scene {
 
 /// Calls for every attribute of the tree whose choices have old names.
 template <class Call>
@@ -42,4 +42,4 @@ std::string moved_scene(const std::filesystem::path& file) {
   return "; the scene is now " + now.string();
 }
 
-}  // namespace nilas
+}  // namespace nilas::scene

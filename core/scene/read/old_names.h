@@ -6,7 +6,7 @@
 
 #include "core/scene/document/document.h"
 
-namespace nilas {
+namespace nilas::scene {
 
 /// Replaces old names of choices by present ones. Returns a warning for each, with its place and the new name.
 std::vector<Fault> replace_old_names(SceneElement& root);
@@ -17,4 +17,4 @@ void restore_old_names(SceneElement& root);
 /// The new place of a shipped scene with an old name: "; the scene is now ...". Empty for others.
 std::string moved_scene(const std::filesystem::path& file);
 
-}  // namespace nilas
+}  // namespace nilas::scene

@@ -4,7 +4,7 @@
 #include "core/scene/read/read_scene.h"
 #include "core/scene/schema/values.h"
 
-namespace nilas {
+namespace nilas::scene {
 
 /// Splits at slashes, except for slashes inside quotes.
 static std::vector<std::string> split_path(const std::string& text) {
@@ -87,4 +87,4 @@ std::pair<std::string, std::string> split_override(const std::string& text) {
   throw InputError("--set " + text + ": found no '='; allowed: PATH=VALUE, as in contact/@tolerance=1e-8");
 }
 
-}  // namespace nilas
+}  // namespace nilas::scene

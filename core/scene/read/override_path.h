@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace nilas {
+namespace nilas::scene {
 
 struct PathStep {
   std::string element;
@@ -22,4 +22,4 @@ struct OverridePath {
 /// Parses a path; empty when the text is no path.
 std::optional<OverridePath> parse_override_path(const std::string& text);
 
-}  // namespace nilas
+}  // namespace nilas::scene

@@ -3,7 +3,7 @@
 #include "core/scene/read/override_path.h"
 #include "core/scene/schema/schema.h"
 
-namespace nilas {
+namespace nilas::scene {
 
 namespace {
 
@@ -114,4 +114,4 @@ void apply_overrides(SceneElement& root, const Overrides& overrides, std::vector
   for (const auto& [path, value] : overrides) OneOverride(root, path, faults).set(value);
 }
 
-}  // namespace nilas
+}  // namespace nilas::scene

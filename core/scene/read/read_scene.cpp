@@ -14,7 +14,7 @@
 #include "core/scene/read/overrides.h"
 #include "core/scene/read/resolve.h"
 
-namespace nilas {
+namespace nilas::scene {
 
 static std::string read_text(const std::filesystem::path& file) {
   std::string text = file_bytes(file);
@@ -89,4 +89,4 @@ Scene read_scene(const std::filesystem::path& file, const Overrides& overrides) 
   return scene;
 }
 
-}  // namespace nilas
+}  // namespace nilas::scene

@@ -7,7 +7,7 @@
 
 #include "core/scene/scene.h"
 
-namespace nilas {
+namespace nilas::scene {
 
 /// Overrides from the command line: (path, value), for example from --set contact/@tolerance=1e-8.
 using Overrides = std::vector<std::pair<std::string, std::string>>;
@@ -19,4 +19,4 @@ std::pair<std::string, std::string> split_override(const std::string& text);
 /// FileError when the file cannot be opened.
 Scene read_scene(const std::filesystem::path& file, const Overrides& overrides = {});
 
-}  // namespace nilas
+}  // namespace nilas::scene

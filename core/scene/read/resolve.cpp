@@ -9,7 +9,7 @@
 #include "core/scene/schema/schema.h"
 #include "core/scene/schema/values.h"
 
-namespace nilas {
+namespace nilas::scene {
 
 namespace {
 
@@ -232,4 +232,4 @@ void resolve_defaults(SceneElement& root, const std::filesystem::path& file, Sce
   Resolver(root, file, notes).resolve_all(root);
 }
 
-}  // namespace nilas
+}  // namespace nilas::scene

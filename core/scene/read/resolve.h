@@ -6,7 +6,7 @@
 
 #include "core/scene/document/document.h"
 
-namespace nilas {
+namespace nilas::scene {
 
 /// Notes for the user about filled-in values, as whole sentences.
 struct SceneNotes {
@@ -19,4 +19,4 @@ struct SceneNotes {
 /// without effect.
 void resolve_defaults(SceneElement& root, const std::filesystem::path& file, SceneNotes& notes);
 
-}  // namespace nilas
+}  // namespace nilas::scene

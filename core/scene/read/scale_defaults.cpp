@@ -15,7 +15,7 @@
 #include "core/scene/schema/ice_presets.h"
 #include "core/scene/schema/values.h"
 
-namespace nilas {
+namespace nilas::scene {
 
 namespace fs = std::filesystem;
 
@@ -45,8 +45,8 @@ std::string three_digits(double x) {
 
 std::optional<double> mesh_length(const fs::path& hull) {
   try {
-    const TriangleMesh mesh = read_stl(fs::is_directory(hull) ? hull / "fluid.stl" : hull);
-    return box_of(mesh).sizes().x();
+    const geometry::TriangleMesh mesh = geometry::read_stl(fs::is_directory(hull) ? hull / "fluid.stl" : hull);
+    return geometry::box_of(mesh).sizes().x();
   } catch (const std::exception&) {
     return std::nullopt;
   }
@@ -214,4 +214,4 @@ std::vector<std::string> ScaleDefaults::notes() const {
   return notes;
 }
 
-}  // namespace nilas
+}  // namespace nilas::scene

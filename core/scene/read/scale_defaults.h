@@ -9,7 +9,7 @@
 
 #include "core/scene/document/document.h"
 
-namespace nilas {
+namespace nilas::scene {
 
 class ScaleDefaults {
  public:
@@ -33,4 +33,4 @@ class ScaleDefaults {
   std::map<std::string, std::string> taken_;  ///< value by "element attribute"
 };
 
-}  // namespace nilas
+}  // namespace nilas::scene

@@ -4,7 +4,7 @@
 
 #include "core/scene/schema/values.h"
 
-namespace nilas {
+namespace nilas::scene {
 
 std::optional<std::string> text_of(const SceneElement& element, const std::string& attribute) {
   const SceneAttribute* found = attribute_of(element, attribute);
@@ -69,4 +69,4 @@ void assign(Vec6& target, const SceneElement& element, const std::string& attrib
   if (const auto x = numbers_of(element, attribute)) target = Vec6::Map(x->data());
 }
 
-}  // namespace nilas
+}  // namespace nilas::scene

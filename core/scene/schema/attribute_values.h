@@ -8,7 +8,7 @@
 #include "core/choices/law.h"
 #include "core/scene/document/document.h"
 
-namespace nilas {
+namespace nilas::scene {
 
 std::optional<std::string> text_of(const SceneElement& element, const std::string& attribute);
 std::optional<std::vector<double>> numbers_of(const SceneElement& element, const std::string& attribute);
@@ -42,4 +42,4 @@ void assign(std::optional<Value>& target, const SceneElement& element, const std
   assign(target.emplace(), element, attribute);
 }
 
-}  // namespace nilas
+}  // namespace nilas::scene

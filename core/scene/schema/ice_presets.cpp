@@ -5,7 +5,7 @@
 #include "core/base/error.h"
 #include "core/scene/scene.h"
 
-namespace nilas {
+namespace nilas::scene {
 
 const std::vector<IcePreset>& ice_presets() {
   const IceScene ice;
@@ -79,4 +79,4 @@ std::vector<std::string> ice_preset_names() {
   return names;
 }
 
-}  // namespace nilas
+}  // namespace nilas::scene

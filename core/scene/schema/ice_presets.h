@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace nilas {
+namespace nilas::scene {
 
 struct IcePreset {
   std::string name;                                                    ///< name in <ice preset>
@@ -22,4 +22,4 @@ const std::vector<IcePreset>& ice_presets();
 const IcePreset& ice_preset(const std::string& name);
 std::vector<std::string> ice_preset_names();
 
-}  // namespace nilas
+}  // namespace nilas::scene

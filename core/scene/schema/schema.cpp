@@ -6,7 +6,7 @@
 #include "core/scene/schema/schema_table.h"
 #include "core/scene/schema/values.h"
 
-namespace nilas {
+namespace nilas::scene {
 
 bool Range::contains(double x) const {
   return (min_inclusive ? x >= min : x > min) && (max_inclusive ? x <= max : x < max);
@@ -89,4 +89,4 @@ bool is_not_built(const AttributeSpec& attribute, const std::string& value) {
   return std::count(attribute.not_built.begin(), attribute.not_built.end(), choice) > 0;
 }
 
-}  // namespace nilas
+}  // namespace nilas::scene

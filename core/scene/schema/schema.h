@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace nilas {
+namespace nilas::scene {
 
 /// Types of values. number and integer: `min_count`..`max_count` of them, separated by blanks. words: words separated
 /// by blanks, from `choices` if there are any. name: a label without quotes, separators and slashes. path: a file.
@@ -90,4 +90,4 @@ std::string schema_xsd();
 /// The scene reference page, in Markdown.
 std::string schema_markdown();
 
-}  // namespace nilas
+}  // namespace nilas::scene

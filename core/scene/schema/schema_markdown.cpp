@@ -4,7 +4,7 @@
 #include "core/scene/schema/schema.h"
 #include "core/scene/schema/values.h"
 
-namespace nilas {
+namespace nilas::scene {
 
 namespace {
 
@@ -110,4 +110,4 @@ std::string schema_markdown() {
   return page;
 }
 
-}  // namespace nilas
+}  // namespace nilas::scene

@@ -8,7 +8,7 @@
 #include "core/scene/scene.h"
 #include "core/scene/schema/schema.h"
 
-namespace nilas::schema_table {
+namespace nilas::scene::schema_table {
 
 /// A value in the notation of a scene file. The table's defaults are those of the Scene's members.
 std::string written(double x);
@@ -89,4 +89,4 @@ std::vector<ElementSpec> fracture_elements();
 std::vector<ElementSpec> body_elements();
 std::vector<ElementSpec> output_elements();
 
-}  // namespace nilas::schema_table
+}  // namespace nilas::scene::schema_table

@@ -1,6 +1,6 @@
 #include "core/scene/schema/schema_table.h"
 
-namespace nilas::schema_table {
+namespace nilas::scene::schema_table {
 
 std::vector<ElementSpec> body_elements() {
   ElementSpec body{.name = "body",
@@ -29,4 +29,4 @@ std::vector<ElementSpec> body_elements() {
   return {body};
 }
 
-}  // namespace nilas::schema_table
+}  // namespace nilas::scene::schema_table

@@ -1,6 +1,6 @@
 #include "core/scene/schema/schema_table.h"
 
-namespace nilas::schema_table {
+namespace nilas::scene::schema_table {
 
 static std::vector<AttributeSpec> law_and_solver() {
   const ContactScene values;
@@ -156,4 +156,4 @@ std::vector<ElementSpec> contact_elements() {
   return {contact, friction()};
 }
 
-}  // namespace nilas::schema_table
+}  // namespace nilas::scene::schema_table

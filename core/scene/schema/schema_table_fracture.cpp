@@ -1,6 +1,6 @@
 #include "core/scene/schema/schema_table.h"
 
-namespace nilas::schema_table {
+namespace nilas::scene::schema_table {
 
 static AttributeSpec of_ice(const std::string& name, const std::string& unit, const Range& range,
                             const std::string& doc) {
@@ -144,4 +144,4 @@ std::vector<ElementSpec> fracture_elements() {
   return {fracture(), crushing(), bending(), splitting(), cracks(), damage()};
 }
 
-}  // namespace nilas::schema_table
+}  // namespace nilas::scene::schema_table

@@ -1,7 +1,7 @@
 #include "core/scene/schema/ice_presets.h"
 #include "core/scene/schema/schema_table.h"
 
-namespace nilas::schema_table {
+namespace nilas::scene::schema_table {
 
 static ElementSpec ice() {
   const auto of_preset = [](const char* name, const char* unit, const Range& range, const char* doc) {
@@ -251,4 +251,4 @@ std::vector<ElementSpec> ice_elements() {
   return {ice(), field(), size(), shape(), bond(), floe(), weak_line(), vary_element()};
 }
 
-}  // namespace nilas::schema_table
+}  // namespace nilas::scene::schema_table

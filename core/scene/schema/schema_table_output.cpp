@@ -1,6 +1,6 @@
 #include "core/scene/schema/schema_table.h"
 
-namespace nilas::schema_table {
+namespace nilas::scene::schema_table {
 
 static std::vector<AttributeSpec> stored_states() {
   const OutputScene values;
@@ -98,4 +98,4 @@ static ElementSpec input() {
 
 std::vector<ElementSpec> output_elements() { return {output(), view(), input()}; }
 
-}  // namespace nilas::schema_table
+}  // namespace nilas::scene::schema_table

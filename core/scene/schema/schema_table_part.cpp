@@ -1,6 +1,6 @@
 #include "core/scene/schema/schema_table.h"
 
-namespace nilas::schema_table {
+namespace nilas::scene::schema_table {
 
 static std::vector<AttributeSpec> part_joint() {
   const PartScene part;
@@ -88,4 +88,4 @@ ElementSpec part_element() {
   return part;
 }
 
-}  // namespace nilas::schema_table
+}  // namespace nilas::scene::schema_table

@@ -1,6 +1,6 @@
 #include "core/scene/schema/schema_table.h"
 
-namespace nilas::schema_table {
+namespace nilas::scene::schema_table {
 
 ElementSpec rod_element() {
   return {.name = "rod",
@@ -35,4 +35,4 @@ ElementSpec rod_element() {
                                  "the start; the start is then moved onto it."}}};
 }
 
-}  // namespace nilas::schema_table
+}  // namespace nilas::scene::schema_table

@@ -1,6 +1,6 @@
 #include "core/scene/schema/schema_table.h"
 
-namespace nilas::schema_table {
+namespace nilas::scene::schema_table {
 
 static ElementSpec scene() {
   return {.name = "scene",
@@ -81,4 +81,4 @@ std::vector<ElementSpec> run_elements() {
   };
 }
 
-}  // namespace nilas::schema_table
+}  // namespace nilas::scene::schema_table

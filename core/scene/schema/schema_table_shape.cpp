@@ -3,7 +3,7 @@
 #include "core/scene/schema/schema_table.h"
 #include "core/scene/schema/values.h"
 
-namespace nilas::schema_table {
+namespace nilas::scene::schema_table {
 
 std::string written(double x) { return format_number(x); }
 std::string written(int x) { return std::to_string(x); }
@@ -83,4 +83,4 @@ AttributeSpec three(const std::string& name, const std::string& unit, const std:
           .doc = doc};
 }
 
-}  // namespace nilas::schema_table
+}  // namespace nilas::scene::schema_table

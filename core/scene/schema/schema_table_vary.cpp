@@ -1,6 +1,6 @@
 #include "core/scene/schema/schema_table.h"
 
-namespace nilas::schema_table {
+namespace nilas::scene::schema_table {
 
 static std::vector<AttributeSpec> spread() {
   using enum FloeProperty;
@@ -59,4 +59,4 @@ ElementSpec vary_element() {
   return element;
 }
 
-}  // namespace nilas::schema_table
+}  // namespace nilas::scene::schema_table

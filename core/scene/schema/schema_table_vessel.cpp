@@ -1,6 +1,6 @@
 #include "core/scene/schema/schema_table.h"
 
-namespace nilas::schema_table {
+namespace nilas::scene::schema_table {
 
 static ElementSpec vessel() {
   const VesselScene values;
@@ -219,4 +219,4 @@ std::vector<ElementSpec> vessel_elements() {
   return elements;
 }
 
-}  // namespace nilas::schema_table
+}  // namespace nilas::scene::schema_table

@@ -1,6 +1,6 @@
 #include "core/scene/schema/schema_table.h"
 
-namespace nilas::schema_table {
+namespace nilas::scene::schema_table {
 
 static std::vector<ElementSpec> water() {
   const WaterScene values;
@@ -150,4 +150,4 @@ std::vector<ElementSpec> water_elements() {
   return elements;
 }
 
-}  // namespace nilas::schema_table
+}  // namespace nilas::scene::schema_table

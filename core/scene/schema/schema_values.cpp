@@ -5,7 +5,7 @@
 #include "core/scene/schema/schema.h"
 #include "core/scene/schema/values.h"
 
-namespace nilas {
+namespace nilas::scene {
 
 static std::string joined(const std::vector<std::string>& words) {
   std::string s;
@@ -140,4 +140,4 @@ std::optional<std::string> value_problem(const AttributeSpec& attribute, const s
   return found_and_allowed(attribute, quoted(value));
 }
 
-}  // namespace nilas
+}  // namespace nilas::scene

@@ -4,7 +4,7 @@
 #include "core/scene/schema/schema.h"
 #include "core/scene/schema/values.h"
 
-namespace nilas {
+namespace nilas::scene {
 
 namespace {
 
@@ -202,4 +202,4 @@ class XsdWriter {
 
 std::string schema_xsd() { return XsdWriter().text(); }
 
-}  // namespace nilas
+}  // namespace nilas::scene

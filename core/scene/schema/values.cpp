@@ -5,7 +5,7 @@
 #include <cmath>
 #include <system_error>
 
-namespace nilas {
+namespace nilas::scene {
 
 static constexpr std::string_view k_blanks = " \t\r\n";
 
@@ -83,4 +83,4 @@ std::string canonical_value(const AttributeSpec& attribute, const std::string& v
   return joined;
 }
 
-}  // namespace nilas
+}  // namespace nilas::scene

@@ -8,7 +8,7 @@
 
 #include "core/scene/schema/schema.h"
 
-namespace nilas {
+namespace nilas::scene {
 
 /// Parses a finite decimal number; blanks around it are allowed, other text is not.
 std::optional<double> parse_number(std::string_view text);
@@ -25,4 +25,4 @@ std::string format_number(double x);
 /// A valid value in its one canonical spelling.
 std::string canonical_value(const AttributeSpec& attribute, const std::string& value);
 
-}  // namespace nilas
+}  // namespace nilas::scene

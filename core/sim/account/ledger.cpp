@@ -3,22 +3,22 @@
 #include <algorithm>
 #include <cmath>
 
-namespace nilas {
+namespace nilas::sim {
 
 namespace {
 
-bool moves(const Bodies& bodies, int b) { return bodies.motion[b] != Motion::fixed; }
+bool moves(const bodies::Bodies& bodies, int b) { return bodies.motion[b] != bodies::Motion::fixed; }
 
 double spin_energy(const Mat3& inertia, const Vec3& w) { return 0.5 * w.dot(inertia * w); }
 
 /// I w at the attitude where the contacts were found, in G.
-Vec3 spin_momentum(const Bodies& bodies, const StepMotion& motion, std::size_t b, const Vec3& w) {
+Vec3 spin_momentum(const bodies::Bodies& bodies, const contact::StepMotion& motion, std::size_t b, const Vec3& w) {
   const Mat3& R = motion.R[b];
   return R * (bodies.inertia_B[b] * (R.transpose() * w));
 }
 
 /// The work of these loads over the step [J]: their impulse times the mean of the velocities before and after.
-double work(const Bodies& bodies, const StepMotion& motion, const std::vector<Wrench>& loads) {
+double work(const bodies::Bodies& bodies, const contact::StepMotion& motion, const std::vector<Wrench>& loads) {
   double sum = 0;
   for (int k = 0; k < bodies.size(); ++k) {
     if (!moves(bodies, k)) continue;
@@ -50,19 +50,19 @@ void EnergyAccount::book_work(std::size_t k, double work) {
 
 /// Books the works of carriage and joints in a motion. What they do to the kinetic energy is no error of the
 /// integrator.
-void EnergyAccount::book_works(const JointAccount::Motion& works) {
+void EnergyAccount::book_works(const vessel::JointAccount::Motion& works) {
   ledger_.integrator += works.carriage + works.springs;
   if (works.carriage != 0) book_work(carriage_, works.carriage);
   if (works.springs != 0) book_work(joints_, works.springs);
 }
 
-void EnergyAccount::motion_before_impulses(double kinetic, const JointAccount::Motion& works) {
+void EnergyAccount::motion_before_impulses(double kinetic, const vessel::JointAccount::Motion& works) {
   ledger_.integrator -= kinetic - ledger_.kinetic;
   book_works(works);
 }
 
-void EnergyAccount::velocity_step(const Bodies& bodies, const StepMotion& motion, const StepLoads& loads,
-                                  const VesselAccount& vessel) {
+void EnergyAccount::velocity_step(const bodies::Bodies& bodies, const contact::StepMotion& motion,
+                                  const StepLoads& loads, const VesselAccount& vessel) {
   conservative_work_ = work(bodies, motion, *loads.gravity);
   for (const auto* wrenches : loads.conservative) conservative_work_ += work(bodies, motion, *wrenches);
   for (std::size_t k = 0; k < loads.working.size(); ++k) book_work(k, work(bodies, motion, *loads.working[k]));
@@ -77,7 +77,8 @@ void EnergyAccount::velocity_step(const Bodies& bodies, const StepMotion& motion
                               vessel.carriage.torque.dot(motion.before.w[b] + motion.after.w[b])));
   }
   for (std::size_t i = 0; i < motion.points.size(); ++i) {
-    const Vec3 mean = 0.5 * (relative_velocity(motion, motion.before, i) + relative_velocity(motion, motion.after, i));
+    const Vec3 mean = 0.5 * (contact::relative_velocity(motion, motion.before, i) +
+                             contact::relative_velocity(motion, motion.after, i));
     const double normal = motion.normal_impulses[i].dot(mean);
     // The speed that the stabilisation asks for is in the velocity after alone, so half of it is in the mean.
     const double asked = 0.5 * motion.speed_asked[i] * motion.normal_impulses[i].dot(motion.points[i].n);
@@ -104,8 +105,9 @@ void EnergyAccount::velocity_step(const Bodies& bodies, const StepMotion& motion
   }
 }
 
-void EnergyAccount::position_step(double kinetic, double potential, const Velocities& pseudo, const StepMotion& motion,
-                                  const StepLoads& loads, const JointAccount::Motion& works) {
+void EnergyAccount::position_step(double kinetic, double potential, const contact::Velocities& pseudo,
+                                  const contact::StepMotion& motion, const StepLoads& loads,
+                                  const vessel::JointAccount::Motion& works) {
   double along_pseudo = 0;
   if (!pseudo.v.empty()) {
     const auto add = [&](const std::vector<Wrench>& wrenches) {
@@ -186,7 +188,7 @@ void EnergyAccount::restore(const StateReader& in) {
   in.get("potential_before", potential_before_);
 }
 
-double kinetic_energy(const Bodies& bodies) {
+double kinetic_energy(const bodies::Bodies& bodies) {
   double sum = 0;
   for (int k = 0; k < bodies.size(); ++k) {
     if (!moves(bodies, k)) continue;
@@ -198,7 +200,7 @@ double kinetic_energy(const Bodies& bodies) {
   return sum;
 }
 
-double weight_energy(const Bodies& bodies, const Vec3& gravity) {
+double weight_energy(const bodies::Bodies& bodies, const Vec3& gravity) {
   double sum = 0;
   for (int k = 0; k < bodies.size(); ++k)
     if (moves(bodies, k)) sum -= bodies.mass[k] * gravity.dot(bodies.p_GB[k]);
@@ -213,8 +215,8 @@ MomentumBalance& MomentumBalance::operator+=(const MomentumBalance& other) {
   return *this;
 }
 
-MomentumBalance momentum_balance(const Bodies& bodies, const StepMotion& motion, const StepLoads& loads,
-                                 const VesselAccount& vessel) {
+MomentumBalance momentum_balance(const bodies::Bodies& bodies, const contact::StepMotion& motion,
+                                 const StepLoads& loads, const VesselAccount& vessel) {
   Vec3 linear = Vec3::Zero(), angular = Vec3::Zero();
   MomentumBalance balance;
   const auto add = [&](const Vec3& point, const Vec3& impulse, const Vec3& couple, double sign) {
@@ -247,7 +249,7 @@ MomentumBalance momentum_balance(const Bodies& bodies, const StepMotion& motion,
     add(motion.p[b], motion.h * held.force, motion.h * held.torque, -1);
   }
   for (std::size_t i = 0; i < motion.points.size(); ++i) {
-    const ContactPoint& c = motion.points[i];
+    const detect::ContactPoint& c = motion.points[i];
     const Vec3 couple = motion.couples.empty() ? Vec3(Vec3::Zero()) : motion.couples[i];
     if (moves(bodies, c.b)) add(c.p, motion.impulses[i], couple, -1);
     if (moves(bodies, c.a)) add(c.p, -motion.impulses[i], -couple, -1);
@@ -257,4 +259,4 @@ MomentumBalance momentum_balance(const Bodies& bodies, const StepMotion& motion,
   return balance;
 }
 
-}  // namespace nilas
+}  // namespace nilas::sim

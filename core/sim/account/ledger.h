@@ -7,7 +7,7 @@
 #include "core/base/state.h"
 #include "core/sim/account/step_record.h"
 
-namespace nilas {
+namespace nilas::sim {
 
 /// The loads of one step by source; each entry of the lists belongs to one force module.
 struct StepLoads {
@@ -23,7 +23,8 @@ struct VesselAccount {
   bool on_carriage = false;
   Wrench carriage;  ///< mean load on the vessel about its centre of mass, in G [N, N m]
   Mat3 inertia_before = Mat3::Zero(), inertia_after = Mat3::Zero();  ///< in G at both ends of the step [kg m^2]
-  const JointAccount* joints = nullptr;  ///< null without parts; else `index` is the hull and its parts follow it
+  const vessel::JointAccount* joints =
+      nullptr;  ///< null without parts; else `index` is the hull and its parts follow it
 };
 
 class EnergyAccount {
@@ -32,15 +33,16 @@ class EnergyAccount {
 
   /// Books the motion before the impulses: `kinetic` is the kinetic energy after it, `works` the works of carriage and
   /// joints in it.
-  void motion_before_impulses(double kinetic, const JointAccount::Motion& works = {});
+  void motion_before_impulses(double kinetic, const vessel::JointAccount::Motion& works = {});
   /// Books the works and losses of a velocity step.
-  void velocity_step(const Bodies& bodies, const StepMotion& motion, const StepLoads& loads,
+  void velocity_step(const bodies::Bodies& bodies, const contact::StepMotion& motion, const StepLoads& loads,
                      const VesselAccount& vessel);
   /// Books the position update. `kinetic` and `potential`: the energies at the step's end. `pseudo`: the velocities of
   /// the stabilisation, along which the conservative loads worked (empty: none). `works`: those of carriage and joints
   /// in the update.
-  void position_step(double kinetic, double potential, const Velocities& pseudo, const StepMotion& motion,
-                     const StepLoads& loads, const JointAccount::Motion& works = {});
+  void position_step(double kinetic, double potential, const contact::Velocities& pseudo,
+                     const contact::StepMotion& motion, const StepLoads& loads,
+                     const vessel::JointAccount::Motion& works = {});
   /// Books a whole step of the reference integrator: energies at its end, works and losses over it. There is no
   /// integrator_J then: errors of the integration show as imbalance.
   void whole_step(double kinetic, double potential, const std::vector<double>& works, double friction, double impact);
@@ -58,7 +60,7 @@ class EnergyAccount {
  private:
   void settle_energies(double kinetic, double potential);
   void book_work(std::size_t k, double work);
-  void book_works(const JointAccount::Motion& works);
+  void book_works(const vessel::JointAccount::Motion& works);
 
   Ledger ledger_;
   std::size_t carriage_ = 0, joints_ = 0;  ///< their indices among the works
@@ -70,9 +72,9 @@ class EnergyAccount {
 };
 
 /// Kinetic energy of all bodies that move [J].
-double kinetic_energy(const Bodies& bodies);
+double kinetic_energy(const bodies::Bodies& bodies);
 /// Potential energy of weight [J].
-double weight_energy(const Bodies& bodies, const Vec3& gravity);
+double weight_energy(const bodies::Bodies& bodies, const Vec3& gravity);
 
 struct MomentumBalance {
   double linear = 0, linear_scale = 0;    ///< [N s]
@@ -80,7 +82,7 @@ struct MomentumBalance {
   MomentumBalance& operator+=(const MomentumBalance& other);
 };
 /// The change of the momenta in a velocity step minus its impulses, in the configuration where the contacts were found.
-MomentumBalance momentum_balance(const Bodies& bodies, const StepMotion& motion, const StepLoads& loads,
-                                 const VesselAccount& vessel);
+MomentumBalance momentum_balance(const bodies::Bodies& bodies, const contact::StepMotion& motion,
+                                 const StepLoads& loads, const VesselAccount& vessel);
 
-}  // namespace nilas
+}  // namespace nilas::sim

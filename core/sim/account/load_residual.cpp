@@ -4,29 +4,31 @@
 
 #include "contact/problem/islands.h"
 
-namespace nilas {
+namespace nilas::sim {
 
-static Wrench on_vessel(const ContactPoint& c, const Vec3& com, bool is_b, const Vec3& impulse_on_b) {
+static Wrench on_vessel(const detect::ContactPoint& c, const Vec3& com, bool is_b, const Vec3& impulse_on_b) {
   const Vec3 impulse = (is_b ? 1 : -1) * impulse_on_b;
   return {impulse, (c.p - com).cross(impulse)};
 }
 
-static ImpulseResidual residual_of(const SolvedProblem& solved, const StepMotion& motion, std::size_t i) {
-  return impulse_residual(solved.problem, static_cast<int>(i), solved.d[i], solved.solution.r, solved.solution.v,
-                          std::max(motion.points[i].gap, 0.0) / motion.h);
+static contact::ImpulseResidual residual_of(const contact::SolvedProblem& solved, const contact::StepMotion& motion,
+                                            std::size_t i) {
+  return contact::impulse_residual(solved.problem, static_cast<int>(i), solved.d[i], solved.solution.r,
+                                   solved.solution.v, std::max(motion.points[i].gap, 0.0) / motion.h);
 }
 
 /// The residuals of contacts that reach the vessel only through other bodies. They count in absolute value along every
 /// axis, because the direction in which they would reach the vessel is unknown.
-static Wrench from_behind(const SolvedProblem& solved, const StepMotion& motion, int vessel, int num_parts) {
+static Wrench from_behind(const contact::SolvedProblem& solved, const contact::StepMotion& motion, int vessel,
+                          int num_parts) {
   Wrench sum;
   const auto is_vessel = [&](int body) { return body >= vessel && body <= vessel + num_parts; };
   const Vec3& com = motion.p[vessel];
   const auto points = static_cast<int>(motion.points.size());
-  for (std::vector<int>& island : find_islands(solved.problem)) {
+  for (std::vector<int>& island : contact::find_islands(solved.problem)) {
     std::erase_if(island, [&](int c) { return c >= points; });  // drops the moments
     const auto of_vessel = [&](int c) {
-      const ContactPoint& point = motion.points[c];
+      const detect::ContactPoint& point = motion.points[c];
       return is_vessel(point.a) || is_vessel(point.b);
     };
     if (std::none_of(island.begin(), island.end(), of_vessel)) continue;
@@ -41,22 +43,23 @@ static Wrench from_behind(const SolvedProblem& solved, const StepMotion& motion,
   return sum;
 }
 
-LoadResidual load_residual(const SolvedProblem& solved, const std::vector<Mat3>& C, const StepMotion& motion,
-                           int vessel, int num_parts) {
+LoadResidual load_residual(const contact::SolvedProblem& solved, const std::vector<Mat3>& C,
+                           const contact::StepMotion& motion, int vessel, int num_parts) {
   LoadResidual sum;
   const auto is_vessel = [&](int body) { return body >= vessel && body <= vessel + num_parts; };
   const Vec3& com = motion.p[vessel];
   for (std::size_t i = 0; i < motion.points.size(); ++i) {
-    const ContactPoint& c = motion.points[i];
+    const detect::ContactPoint& c = motion.points[i];
     const bool is_b = is_vessel(c.b);
     if (is_vessel(c.a) == is_b) continue;
-    const ImpulseResidual e = residual_of(solved, motion, i);
+    const contact::ImpulseResidual e = residual_of(solved, motion, i);
     const Wrench of_law = on_vessel(c, com, is_b, C[i] * e.law);
     sum.solver += {of_law.force.cwiseAbs(), of_law.torque.cwiseAbs()};
     if (solved.problem.law != Law::coulomb) sum.law += on_vessel(c, com, is_b, C[i] * (e.coulomb - e.law));
   }
-  if (solved.solution.status != SolveStatus::converged) sum.solver += from_behind(solved, motion, vessel, num_parts);
+  if (solved.solution.status != contact::SolveStatus::converged)
+    sum.solver += from_behind(solved, motion, vessel, num_parts);
   return sum;
 }
 
-}  // namespace nilas
+}  // namespace nilas::sim

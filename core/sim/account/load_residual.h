@@ -4,7 +4,7 @@
 #include "contact/step_motion.h"
 #include "core/sim/account/step_record.h"
 
-namespace nilas {
+namespace nilas::sim {
 
 /// Impulses on the vessel [N s, N m s], frame G. Torques are about its centre of mass where the contacts were found.
 struct LoadResidual {
@@ -17,7 +17,7 @@ struct LoadResidual {
 
 /// `C`: as in AssembledContacts. `vessel`: index of the hull; the `num_parts` bodies that follow it belong to the
 /// vessel.
-LoadResidual load_residual(const SolvedProblem& solved, const std::vector<Mat3>& C, const StepMotion& motion,
-                           int vessel, int num_parts = 0);
+LoadResidual load_residual(const contact::SolvedProblem& solved, const std::vector<Mat3>& C,
+                           const contact::StepMotion& motion, int vessel, int num_parts = 0);
 
-}  // namespace nilas
+}  // namespace nilas::sim

@@ -1,6 +1,6 @@
 #include "core/sim/account/step_record.h"
 
-namespace nilas {
+namespace nilas::sim {
 
 const char* to_string(Phase phase) {
   switch (phase) {
@@ -28,4 +28,4 @@ std::vector<std::string> warning_texts(const RunInfo& info) {
   return texts;
 }
 
-}  // namespace nilas
+}  // namespace nilas::sim

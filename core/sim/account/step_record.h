@@ -14,7 +14,7 @@
 #include "core/vessel/model/vessel_model.h"
 #include "fracture/model/fracture_event.h"
 
-namespace nilas {
+namespace nilas::sim {
 
 /// Phases of a step, in the order in which they run.
 enum class Phase { hydro, detection, assembly, solver, integration, fracture, output };
@@ -41,14 +41,14 @@ struct PartRecord {
 struct VesselRecord {
   Wrench contact;
   Vec3 contact_port = Vec3::Zero(), contact_starboard = Vec3::Zero();  ///< contact force by side of the hull [N]
-  std::optional<CarriageLoads> carriage;
+  std::optional<vessel::CarriageLoads> carriage;
   bool has_cells = false;
   /// The residuals of its contacts as loads (docs/theory/load-error.md): `solver_residual` for the chosen law, as a sum
   /// of absolute values; `law_residual` for exact Coulomb beyond that law, as a signed sum.
   Wrench solver_residual, law_residual;
   std::optional<Wrench> hydro;
   std::vector<Wrench> module_loads;  ///< one per entry of RunInfo::vessel_loads
-  VesselState state;  ///< state at the step's end
+  vessel::VesselState state;         ///< state at the step's end
   /// Unit vector along the course, horizontal; docs/reference/conventions.md says which way it points.
   Vec2 course = Vec2::UnitX();
   bool touches_ice = false;  ///< true if a floe pressed on it during the step
@@ -83,12 +83,13 @@ struct StepRecord {
   double h = 0;   ///< [s]
   int parts = 0;  ///< number of substeps; counts below are the largest of any substep, iterations the sum
   int floes = 0, contacts = 0, islands = 0, iterations = 0;
-  SolveStatus status = SolveStatus::converged;
+  contact::SolveStatus status = contact::SolveStatus::converged;
   bool solver_short = false;        ///< true if the solver missed the scene's tolerance
   std::string solver_message;       ///< the solver's message where it did not converge
   bool positions_corrected = true;  ///< true if the position correction reached its tolerance
-  DetectorCounts detection;  ///< how pairs were settled, summed over the substeps; not filled by integrator "reference"
-  Residuals residuals;
+  detect::DetectorCounts
+      detection;  ///< how pairs were settled, summed over the substeps; not filled by integrator "reference"
+  contact::Residuals residuals;
   double penetration_max = 0, penetration_mean = 0;  ///< largest and mean, of gaps < 0 at the step's start [m]
   Ledger ledger;
   double momentum_imbalance = 0, momentum_scale = 0;                  ///< [N s]
@@ -99,7 +100,7 @@ struct StepRecord {
   std::vector<StructureRecord> structures;  ///< same order as RunInfo::structures
   std::vector<double> module_values;        ///< same order as RunInfo::module_columns
   std::vector<ContactEvent> events;         ///< sorted by time
-  std::vector<FractureEvent> broken;
+  std::vector<fracture::FractureEvent> broken;
 };
 
 /// How the course of the vessel is determined. The ice load is reported along and across the course.
@@ -123,16 +124,16 @@ struct RunInfo {
   std::vector<std::string> work_names;                       ///< names of the ledger's columns work_<name>_J
   std::vector<std::pair<std::string, std::string>> modules;  ///< name of each module that was built, and why
   std::vector<std::string> not_built;
-  std::vector<std::string> vessel_loads;  ///< modules with columns of their own for their load on the vessel
+  std::vector<std::string> vessel_loads;    ///< modules with columns of their own for their load on the vessel
   std::vector<std::string> module_columns;  ///< columns of steps.csv, in the order of the modules
   std::vector<Fault> warnings;              ///< implausible settings of the scene, with their places
   int floes = 0, bodies = 0;
   double ice_mass = 0;       ///< mass of the free floes [kg]
   double concentration = 0;  ///< ice concentration; 0 without a field
   bool has_vessel = false, has_carriage = false, has_cells = false, has_hydro = false;
-  MassProperties vessel_mass;  ///< centre of mass and inertia in frame V
+  geometry::MassProperties vessel_mass;  ///< centre of mass and inertia in frame V
   /// The carriage's load from the vessel at rest, without current. Empty where no rest was found.
-  std::optional<CarriageLoads> tare;
+  std::optional<vessel::CarriageLoads> tare;
   double ice_thickness = 0;  ///< [m]
   double vessel_length = 0;  ///< extent along x of V [m]
   CourseKind course = CourseKind::heading;
@@ -149,4 +150,4 @@ struct RunInfo {
 /// "file:line:column: <element attribute>: message" of each warning.
 std::vector<std::string> warning_texts(const RunInfo& info);
 
-}  // namespace nilas
+}  // namespace nilas::sim

@@ -5,7 +5,7 @@
 
 #include "core/sim/account/step_record.h"
 
-namespace nilas {
+namespace nilas::sim {
 
 class Stopwatch {
  public:
@@ -23,4 +23,4 @@ class Stopwatch {
   Clock::time_point last_;
 };
 
-}  // namespace nilas
+}  // namespace nilas::sim

@@ -5,20 +5,20 @@
 #include "core/base/error.h"
 #include "core/hull/hull.h"
 
-namespace nilas {
+namespace nilas::sim {
 
 namespace {
 
 struct BodyGeometry {
-  Shape shape;
-  MassProperties unit;  ///< mass properties for density 1 kg/m^3, centre of mass in the element's frame
+  geometry::Shape shape;
+  geometry::MassProperties unit;  ///< mass properties for density 1 kg/m^3, centre of mass in the element's frame
 };
 
 /// Shape and mass of a mesh file. The meshes are shifted so that the centre of mass is the origin.
-BodyGeometry mesh_geometry(const MeshScene& mesh) {
+BodyGeometry mesh_geometry(const scene::MeshScene& mesh) {
   BodyGeometry g;
-  Hull hull = read_hull(mesh.file);
-  g.unit = mesh_properties(hull.fluid, 1.0);
+  hull::Hull hull = hull::read_hull(mesh.file);
+  g.unit = geometry::mesh_properties(hull.fluid, 1.0);
   if (mesh.cog) {
     const Vec3 arm = g.unit.com - *mesh.cog;
     g.unit.inertia += g.unit.mass * (arm.squaredNorm() * Mat3::Identity() - arm * arm.transpose());
@@ -26,53 +26,55 @@ BodyGeometry mesh_geometry(const MeshScene& mesh) {
   }
   double size = 0;
   for (auto& p : hull.fluid.vertices) size = std::max(size, (p -= g.unit.com).norm());
-  std::vector<ConvexPolytope> parts;
+  std::vector<geometry::ConvexPolytope> parts;
   for (auto& part : hull.parts) {
     for (auto& p : part.vertices) p -= g.unit.com;
     constexpr double k_float_rounding = 1e-5;  // share of the size: STL files hold float32 coordinates
-    parts.push_back(make_polytope(part, k_float_rounding * size));
+    parts.push_back(geometry::make_polytope(part, k_float_rounding * size));
   }
-  g.shape = mesh_shape(hull.fluid, std::move(parts));
+  g.shape = geometry::mesh_shape(hull.fluid, std::move(parts));
   return g;
 }
 
-BodyGeometry geometry(const SolidShape& shape) {
+BodyGeometry geometry(const scene::SolidShape& shape) {
   return std::visit(
-      Overloaded{[](const BoxScene& box) {
-                   return BodyGeometry{box_shape(box.size), box_properties(box.size, box.size.prod())};
-                 },
-                 [](const SphereScene& sphere) {
-                   const double r = sphere.radius;
-                   return BodyGeometry{sphere_shape(r), sphere_properties(r, 4.0 / 3.0 * k_pi * r * r * r)};
-                 },
-                 [](const CylinderScene& cylinder) {
-                   const double r = cylinder.radius, h = cylinder.height;
-                   return BodyGeometry{cylinder_shape(r, h), cylinder_properties(r, h, k_pi * r * r * h)};
-                 },
-                 [](const MeshScene& mesh) { return mesh_geometry(mesh); },
-                 [](const PlaneScene&) {
-                   BodyGeometry plane{plane_shape(), {}};
-                   plane.unit.mass = 1;
-                   plane.unit.inertia = Mat3::Identity();
-                   return plane;
-                 }},
+      Overloaded{
+          [](const scene::BoxScene& box) {
+            return BodyGeometry{geometry::box_shape(box.size), geometry::box_properties(box.size, box.size.prod())};
+          },
+          [](const scene::SphereScene& sphere) {
+            const double r = sphere.radius;
+            return BodyGeometry{geometry::sphere_shape(r),
+                                geometry::sphere_properties(r, 4.0 / 3.0 * k_pi * r * r * r)};
+          },
+          [](const scene::CylinderScene& cylinder) {
+            const double r = cylinder.radius, h = cylinder.height;
+            return BodyGeometry{geometry::cylinder_shape(r, h), geometry::cylinder_properties(r, h, k_pi * r * r * h)};
+          },
+          [](const scene::MeshScene& mesh) { return mesh_geometry(mesh); },
+          [](const scene::PlaneScene&) {
+            BodyGeometry plane{geometry::plane_shape(), {}};
+            plane.unit.mass = 1;
+            plane.unit.inertia = Mat3::Identity();
+            return plane;
+          }},
       shape);
 }
 
 }  // namespace
 
-Solid build_solid(const SolidScene& scene) {
+Solid build_solid(const scene::SolidScene& scene) {
   BodyGeometry g = geometry(scene.shape);
   NILAS_DEMAND(!scene.mass || !scene.density);
   Solid solid;
   solid.mass = g.unit;
-  solid.mass.mass = scene.mass.value_or(scene.density.value_or(SolidScene::k_density) * g.unit.mass);
+  solid.mass.mass = scene.mass.value_or(scene.density.value_or(scene::SolidScene::k_density) * g.unit.mass);
   solid.mass.inertia = g.unit.inertia * (solid.mass.mass / g.unit.mass);
   if (scene.inertia) {
     const Vec6& i = *scene.inertia;
     solid.mass.inertia << i[0], i[3], i[4], i[3], i[1], i[5], i[4], i[5], i[2];
   }
-  solid.shape = std::make_shared<const Shape>(std::move(g.shape));
+  solid.shape = std::make_shared<const geometry::Shape>(std::move(g.shape));
   return solid;
 }
 
@@ -82,4 +84,4 @@ Quat attitude_of(const Vec3& yaw_pitch_roll_deg) {
               Eigen::AngleAxisd(yaw_pitch_roll_deg[2] * k_deg, Vec3::UnitX()));
 }
 
-}  // namespace nilas
+}  // namespace nilas::sim

@@ -7,17 +7,17 @@
 #include "core/geometry/shape.h"
 #include "core/scene/scene.h"
 
-namespace nilas {
+namespace nilas::sim {
 
 struct Solid {
-  std::shared_ptr<const Shape> shape;  ///< origin at the centre of mass, axes of the element
-  MassProperties mass;                 ///< centre of mass in the element's frame
+  std::shared_ptr<const geometry::Shape> shape;  ///< origin at the centre of mass, axes of the element
+  geometry::MassProperties mass;                 ///< centre of mass in the element's frame
 };
 
 /// Builds shape and mass. Throws InputError and FileError naming the mesh file that is at fault.
-Solid build_solid(const SolidScene& scene);
+Solid build_solid(const scene::SolidScene& scene);
 
 /// The attitude after turns about z, then about the new y, then about the new x [deg].
 Quat attitude_of(const Vec3& yaw_pitch_roll_deg);
 
-}  // namespace nilas
+}  // namespace nilas::sim

@@ -2,12 +2,12 @@
 
 #include "core/base/error.h"
 
-namespace nilas {
+namespace nilas::sim {
 
-static FailureSettings failure_settings(const Scene& scene) {
+static fracture::FailureSettings failure_settings(const scene::Scene& scene) {
   NILAS_DEMAND(scene.fracture && scene.water && scene.ice);
-  const FractureScene& fracture = *scene.fracture;
-  FailureSettings settings;
+  const scene::FractureScene& fracture = *scene.fracture;
+  fracture::FailureSettings settings;
   settings.youngs_modulus = scene.ice->youngs_modulus;
   settings.poisson = scene.ice->poisson;
   settings.water_density = scene.water->density;
@@ -30,21 +30,22 @@ static FailureSettings failure_settings(const Scene& scene) {
   return settings;
 }
 
-BreakingSettings breaking_settings(const Scene& scene) {
-  BreakingSettings settings{failure_settings(scene), {}};
-  if (const auto& damage = scene.fracture->damage) settings.damage = DamageRule{damage->exponent, damage->endurance};
+fracture::BreakingSettings breaking_settings(const scene::Scene& scene) {
+  fracture::BreakingSettings settings{failure_settings(scene), {}};
+  if (const auto& damage = scene.fracture->damage)
+    settings.damage = fracture::DamageRule{damage->exponent, damage->endurance};
   return settings;
 }
 
-PieceLimits piece_limits(const Scene& scene) {
+fracture::PieceLimits piece_limits(const scene::Scene& scene) {
   NILAS_DEMAND(scene.fracture.has_value());
-  PieceLimits limits;
+  fracture::PieceLimits limits;
   limits.min_area = scene.fracture->min_area;
   limits.small = scene.fracture->small_pieces;
   return limits;
 }
 
-std::string breaking_description(const Scene& scene) {
+std::string breaking_description(const scene::Scene& scene) {
   NILAS_DEMAND(scene.fracture.has_value());
   std::string text;
   if (scene.fracture->bending) text = "<fracture><bending>: " + name_of(scene.fracture->bending->model);
@@ -55,4 +56,4 @@ std::string breaking_description(const Scene& scene) {
   return text;
 }
 
-}  // namespace nilas
+}  // namespace nilas::sim

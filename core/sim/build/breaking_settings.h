@@ -6,12 +6,12 @@
 #include "fracture/cut/cut_floe.h"
 #include "fracture/model/breaking.h"
 
-namespace nilas {
+namespace nilas::sim {
 
 /// All three functions throw ContractError when the scene has no <fracture>; the first also without <water> and <ice>.
-BreakingSettings breaking_settings(const Scene& scene);
-PieceLimits piece_limits(const Scene& scene);
+fracture::BreakingSettings breaking_settings(const scene::Scene& scene);
+fracture::PieceLimits piece_limits(const scene::Scene& scene);
 /// One line for the list of what was built.
-std::string breaking_description(const Scene& scene);
+std::string breaking_description(const scene::Scene& scene);
 
-}  // namespace nilas
+}  // namespace nilas::sim

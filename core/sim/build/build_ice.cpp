@@ -12,7 +12,7 @@
 #include "core/sim/build/packed_ice.h"
 #include "core/sim/world/world.h"
 
-namespace nilas {
+namespace nilas::sim {
 
 namespace {
 
@@ -20,7 +20,7 @@ namespace {
 constexpr double k_hull_margin_thicknesses = 0.5;
 
 /// Outline of the hull at and below height z, frame G; the ice must leave it free. Empty when the hull stays above z.
-std::vector<Vec2> hull_outline(const Bodies& bodies, int vessel, double z) {
+std::vector<Vec2> hull_outline(const bodies::Bodies& bodies, int vessel, double z) {
   const auto v = static_cast<std::size_t>(vessel);
   std::vector<Vec2> points;
   for (const auto& part : bodies.shape[v]->parts) {
@@ -35,7 +35,7 @@ std::vector<Vec2> hull_outline(const Bodies& bodies, int vessel, double z) {
       }
     }
   }
-  return points.size() < 3 ? std::vector<Vec2>{} : convex_hull(points);
+  return points.size() < 3 ? std::vector<Vec2>{} : geometry::convex_hull(points);
 }
 
 /// Whether a convex counter-clockwise outline contains all points. The hull's outline contains those of everything that
@@ -58,7 +58,7 @@ double floating_mid_plane(const WorldParts& parts, bool buoyant, double thicknes
 
 class IceBuilder {
  public:
-  IceBuilder(const Scene& scene, int threads, WorldParts& parts, WarningCounts& warnings)
+  IceBuilder(const scene::Scene& scene, int threads, WorldParts& parts, WarningCounts& warnings)
       : scene_(scene), ice_(*scene.ice), threads_(threads), parts_(parts), warnings_(warnings) {}
 
   void build() {
@@ -69,7 +69,7 @@ class IceBuilder {
       for (auto& floe : planned.floes) add_floe(floe, planned);
     parts_.info.ice_thickness = ice_.thickness;
     parts_.info.modules.emplace_back("ice", "<ice>: " + std::to_string(parts_.info.floes) + " floes");
-    for (const VaryScene& one : ice_.vary)
+    for (const scene::VaryScene& one : ice_.vary)
       parts_.info.modules.emplace_back("vary " + name_of(one.property), reason(one));
     if (scene_.fracture) name_breakable();
   }
@@ -85,13 +85,13 @@ class IceBuilder {
     parts_.ice.push_back(std::move(singles));
   }
 
-  PlannedFloe single(const FloeScene& floe, int number) const {
+  PlannedFloe single(const scene::FloeScene& floe, int number) const {
     PlannedFloe planned;
     planned.floe.outline = floe.outline;
-    if (!is_simple(floe.outline))
+    if (!geometry::is_simple(floe.outline))
       throw InputError(scene_.file.string() + ":" + std::to_string(floe.line) +
                        ": <floe>: the outline crosses or touches itself, or lists a point twice");
-    if (is_clockwise(floe.outline)) std::reverse(planned.floe.outline.begin(), planned.floe.outline.end());
+    if (geometry::is_clockwise(floe.outline)) std::reverse(planned.floe.outline.begin(), planned.floe.outline.end());
     planned.name = floe.name.empty() ? "floe " + std::to_string(number) : floe.name;
     planned.fixed = floe.fixed;
     planned.breakable = floe.breakable;
@@ -102,8 +102,8 @@ class IceBuilder {
   }
 
   /// Mean properties of floes that neither state nor vary them.
-  FloeValues means_of(const std::optional<double>& thickness) const {
-    FloeValues means{};
+  field::FloeValues means_of(const std::optional<double>& thickness) const {
+    field::FloeValues means{};
     if (const auto& fracture = scene_.fracture) {
       means[static_cast<std::size_t>(FloeProperty::flexural_strength)] = fracture->flexural_strength;
       means[static_cast<std::size_t>(FloeProperty::compressive_strength)] = fracture->compressive_strength;
@@ -111,22 +111,22 @@ class IceBuilder {
     }
     means[static_cast<std::size_t>(FloeProperty::thickness)] = thickness.value_or(ice_.thickness);
     means[static_cast<std::size_t>(FloeProperty::density)] = ice_.density;
-    for (const VaryScene& one : ice_.vary)
+    for (const scene::VaryScene& one : ice_.vary)
       if (one.mean > 0) means[static_cast<std::size_t>(one.property)] = one.mean;
     return means;
   }
 
-  void plan_field(const FieldScene& field, std::size_t index) {
+  void plan_field(const scene::FieldScene& field, std::size_t index) {
     const auto start = std::chrono::steady_clock::now();
     PlannedIce planned;
     planned.name = "field " + std::to_string(index + 1);
     planned.field = field;
-    FieldResult result = generate(field, index, planned);
+    field::FieldResult result = generate(field, index, planned);
     planned.concentration = result.concentration;
     planned.worst_overlap = result.worst_overlap;
     planned.left_out = result.left_out;
     planned.weak_lines = std::move(result.weak_lines);
-    for (FieldFloe& floe : result.floes) {
+    for (field::FieldFloe& floe : result.floes) {
       const bool stays = floe.fixed;
       planned.floes.push_back({std::move(floe),
                                planned.name + " floe " + std::to_string(planned.floes.size() + 1),
@@ -146,7 +146,7 @@ class IceBuilder {
   }
 
   void vary() {
-    const FloeVariation variation = floe_variation(scene_);
+    const field::FloeVariation variation = floe_variation(scene_);
     for (auto& planned : parts_.ice)
       parallel_for(static_cast<std::ptrdiff_t>(planned.floes.size()), threads_, [&](std::ptrdiff_t i) {
         PlannedFloe& one = planned.floes[i];
@@ -155,13 +155,13 @@ class IceBuilder {
   }
 
   /// The reason for the list of what was built.
-  static std::string reason(const VaryScene& vary) {
+  static std::string reason(const scene::VaryScene& vary) {
     return fmt::format("<ice><vary>: {}, cov {:g}, {}", name_of(vary.distribution), vary.cov,
                        vary.correlation_length > 0 ? fmt::format("within floes over {:g} m", vary.correlation_length)
                                                    : std::string("one value per floe"));
   }
 
-  FieldResult generate(const FieldScene& field, std::size_t index, PlannedIce& planned) const {
+  field::FieldResult generate(const scene::FieldScene& field, std::size_t index, PlannedIce& planned) const {
     const double thickness = field.thickness.value_or(ice_.thickness);
     std::vector<std::vector<Vec2>> keep_out;
     const double top = mid_plane(thickness, ice_.density) + field.z + 0.5 * thickness;
@@ -173,8 +173,8 @@ class IceBuilder {
     }
     const double margin = k_hull_margin_thicknesses * thickness;
     planned.hull = keep_out;
-    planned.keep_out = grown_outlines(keep_out, margin);
-    const auto place = [&](PackedSpec spec) {
+    planned.keep_out = field::grown_outlines(keep_out, margin);
+    const auto place = [&](field::PackedSpec spec) {
       const auto [low, high] = corners(field);
       spec.low = low;
       spec.high = high;
@@ -184,31 +184,33 @@ class IceBuilder {
       return spec;
     };
     const auto make = Overloaded{
-        [](const FileFieldScene& file) { return read_field(file.file); },
-        [&](const GridFieldScene& grid) {
+        [](const scene::FileFieldScene& file) { return field::read_field(file.file); },
+        [&](const scene::GridFieldScene& grid) {
           const auto [low, high] = corners(field);
-          return grid_field(
+          return field::grid_field(
               {low, high, grid.rows, grid.columns, grid.gap, grid.shear_deg * k_deg, grid.stagger, keep_out, margin});
         },
-        [&](const LevelFieldScene&) {
+        [&](const scene::LevelFieldScene&) {
           const auto [low, high] = corners(field);
-          return level_field({low, high, keep_out, margin, aft()});
+          return field::level_field({low, high, keep_out, margin, aft()});
         },
-        [&](const VoronoiFieldScene& cells) {
-          const PackedSpec spec = place(cell_spec(cells));
-          if (cells.bond) return frozen_field(spec, aft(), *cells.bond);
-          return voronoi_field(planned.packed.emplace(spec));
+        [&](const scene::VoronoiFieldScene& cells) {
+          const field::PackedSpec spec = place(cell_spec(cells));
+          if (cells.bond) return field::frozen_field(spec, aft(), *cells.bond);
+          return field::voronoi_field(planned.packed.emplace(spec));
         },
-        [&](const ChannelFieldScene& channel) {
-          const PackedSpec& spec = planned.packed.emplace(place(packed_spec(channel.ice)));
-          return channel_field({spec, channel.width.value_or(0.5 * (spec.high.y() - spec.low.y())), aft()});
+        [&](const scene::ChannelFieldScene& channel) {
+          const field::PackedSpec& spec = planned.packed.emplace(place(packed_spec(channel.ice)));
+          return field::channel_field({spec, channel.width.value_or(0.5 * (spec.high.y() - spec.low.y())), aft()});
         },
-        [&](const PackedFieldScene& packed) { return pack_field(planned.packed.emplace(place(packed_spec(packed)))); }};
+        [&](const scene::PackedFieldScene& packed) {
+          return field::pack_field(planned.packed.emplace(place(packed_spec(packed))));
+        }};
     return std::visit(make, field.form);
   }
 
-  static std::pair<Vec2, Vec2> corners(const FieldScene& field) {
-    const RegionScene& region = *field.region();
+  static std::pair<Vec2, Vec2> corners(const scene::FieldScene& field) {
+    const scene::RegionScene& region = *field.region();
     return {{region[0], region[1]}, {region[2], region[3]}};
   }
 
@@ -224,19 +226,20 @@ class IceBuilder {
   }
 
   void add_floe(PlannedFloe& planned, const PlannedIce& group) {
-    FieldFloe& floe = planned.floe;
+    field::FieldFloe& floe = planned.floe;
     for (const FloeProperty property : {FloeProperty::thickness, FloeProperty::density})
-      if (value_of(floe, property) <= 0) value_of(floe, property) = planned.means[static_cast<std::size_t>(property)];
-    const Vec2 centre = polygon_moments(floe.outline).centroid;
+      if (field::value_of(floe, property) <= 0)
+        field::value_of(floe, property) = planned.means[static_cast<std::size_t>(property)];
+    const Vec2 centre = geometry::polygon_moments(floe.outline).centroid;
     std::vector<Vec2> about_centre = floe.outline;
     for (auto& x : about_centre) x -= centre;
-    const MassProperties mass = prism_properties(about_centre, floe.thickness, floe.density);
-    BodySpec spec;
+    const geometry::MassProperties mass = geometry::prism_properties(about_centre, floe.thickness, floe.density);
+    bodies::BodySpec spec;
     spec.name = planned.name;
-    spec.kind = BodyKind::floe;
-    spec.motion = planned.fixed ? Motion::fixed : Motion::free;
+    spec.kind = bodies::BodyKind::floe;
+    spec.motion = planned.fixed ? bodies::Motion::fixed : bodies::Motion::free;
     spec.material = "ice";
-    spec.shape = std::make_shared<const Shape>(prism_shape(about_centre, floe.thickness));
+    spec.shape = std::make_shared<const geometry::Shape>(geometry::prism_shape(about_centre, floe.thickness));
     spec.mass = mass.mass;
     spec.inertia_B = mass.inertia;
     spec.pose.p = {centre.x(), centre.y(), mid_plane(floe.thickness, floe.density) + planned.z};
@@ -252,15 +255,15 @@ class IceBuilder {
 
   void add_strengths(const PlannedFloe& planned, int body) {
     const auto strength = [&](FloeProperty property) {
-      FloeStrength of_floe{value_of(planned.floe, property), {}};
+      bodies::FloeStrength of_floe{field::value_of(planned.floe, property), {}};
       if (of_floe.mean <= 0) of_floe.mean = planned.means[static_cast<std::size_t>(property)];
-      for (const TexturedProperty& one : planned.texture)
+      for (const field::TexturedProperty& one : planned.texture)
         if (one.property == property)
           of_floe.at_xy = [texture = one.texture](double x, double y) { return texture.at(x, y); };
       return of_floe;
     };
-    if (!parts_.ice_properties) parts_.ice_properties = std::make_unique<IceProperties>();
-    IceProperties& ice = *parts_.ice_properties;
+    if (!parts_.ice_properties) parts_.ice_properties = std::make_unique<bodies::IceProperties>();
+    bodies::IceProperties& ice = *parts_.ice_properties;
     ice.resize(parts_.bodies.id.size());
     const auto b = static_cast<std::size_t>(body);
     ice.breakable[b] = planned.breakable ? 1 : 0;
@@ -270,9 +273,9 @@ class IceBuilder {
   }
 
   void add_weak_lines(const PlannedIce& group, const Vec2& centre, const std::vector<Vec2>& outline, int body) {
-    std::vector<WeakLine> lines = group.weak_lines;
-    for (const WeakLineScene& line : ice_.weak_lines) lines.push_back({line.points, line.strength});
-    parts_.ice_properties->weak_lines[body] = lines_near(lines, centre, outline);
+    std::vector<bodies::WeakLine> lines = group.weak_lines;
+    for (const scene::WeakLineScene& line : ice_.weak_lines) lines.push_back({line.points, line.strength});
+    parts_.ice_properties->weak_lines[body] = bodies::lines_near(lines, centre, outline);
   }
 
   void name_breakable() {
@@ -282,8 +285,8 @@ class IceBuilder {
     parts_.info.modules.emplace_back("fracture", fmt::format("<fracture>: {} breakable floes", breakable));
   }
 
-  const Scene& scene_;
-  const IceScene& ice_;
+  const scene::Scene& scene_;
+  const scene::IceScene& ice_;
   int threads_;
   WorldParts& parts_;
   WarningCounts& warnings_;
@@ -291,8 +294,8 @@ class IceBuilder {
 
 }  // namespace
 
-void build_ice(const Scene& scene, int threads, WorldParts& parts, WarningCounts& warnings) {
+void build_ice(const scene::Scene& scene, int threads, WorldParts& parts, WarningCounts& warnings) {
   IceBuilder(scene, threads, parts, warnings).build();
 }
 
-}  // namespace nilas
+}  // namespace nilas::sim

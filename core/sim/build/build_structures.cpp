@@ -2,24 +2,24 @@
 #include "core/sim/build/body_geometry.h"
 #include "core/sim/world/world.h"
 
-namespace nilas {
+namespace nilas::sim {
 
 namespace {
 
-void add_wall(Bodies& bodies, const std::string& name, const Vec3& size, const Vec3& centre) {
-  BodySpec spec;
+void add_wall(bodies::Bodies& bodies, const std::string& name, const Vec3& size, const Vec3& centre) {
+  bodies::BodySpec spec;
   spec.name = name;
-  spec.kind = BodyKind::wall;
-  spec.motion = Motion::fixed;
+  spec.kind = bodies::BodyKind::wall;
+  spec.motion = bodies::Motion::fixed;
   spec.material = "wall";
-  spec.shape = std::make_shared<const Shape>(box_shape(size));
+  spec.shape = std::make_shared<const geometry::Shape>(geometry::box_shape(size));
   spec.mass = 1;
   spec.pose.p = centre;
   bodies.add(spec);
 }
 
 /// Walls reach as far above still water as the tank is deep below it, so that no piece leaves over them.
-void add_tank(const TankScene& tank, double level, Bodies& bodies) {
+void add_tank(const scene::TankScene& tank, double level, bodies::Bodies& bodies) {
   const double t = tank.wall_thickness, height = 2 * tank.depth, length = tank.length + 2 * t;
   const double y = 0.5 * (tank.width + t);
   add_wall(bodies, "wall port", {length, t, height}, {0.5 * tank.length, y, level});
@@ -30,13 +30,13 @@ void add_tank(const TankScene& tank, double level, Bodies& bodies) {
     add_wall(bodies, "floor", {length, tank.width + 2 * t, t}, {0.5 * tank.length, 0, level - tank.depth - 0.5 * t});
 }
 
-void add_body(const BodyScene& body, Bodies& bodies) {
+void add_body(const scene::BodyScene& body, bodies::Bodies& bodies) {
   NILAS_DEMAND(body.kind() != SolidShapeKind::plane || body.fixed);
   const Solid solid = build_solid(body);
-  BodySpec spec;
+  bodies::BodySpec spec;
   spec.name = body.name;
-  spec.kind = BodyKind::rigid;
-  spec.motion = body.fixed ? Motion::fixed : Motion::free;
+  spec.kind = bodies::BodyKind::rigid;
+  spec.motion = body.fixed ? bodies::Motion::fixed : bodies::Motion::free;
   spec.material = body.material;
   spec.shape = solid.shape;
   spec.mass = solid.mass.mass;
@@ -52,7 +52,7 @@ void add_body(const BodyScene& body, Bodies& bodies) {
 
 }  // namespace
 
-void build_structures(const Scene& scene, WorldParts& parts) {
+void build_structures(const scene::Scene& scene, WorldParts& parts) {
   if (scene.tank) {
     add_tank(*scene.tank, parts.water ? parts.water->level : 0, parts.bodies);
     parts.info.modules.emplace_back("tank", "<tank>");
@@ -60,4 +60,4 @@ void build_structures(const Scene& scene, WorldParts& parts) {
   for (const auto& body : scene.bodies) add_body(body, parts.bodies);
 }
 
-}  // namespace nilas
+}  // namespace nilas::sim

@@ -12,7 +12,7 @@
 #include "hydro/equilibrium.h"
 #include "hydro/wetted.h"
 
-namespace nilas {
+namespace nilas::sim {
 
 namespace {
 
@@ -27,22 +27,22 @@ Mat3 tensor(const Vec6& entries) {
   return m;
 }
 
-Hull load_hull(const VesselScene& vessel) {
-  if (!vessel.generate) return read_hull(vessel.hull);
-  return generate_hull(hull_form(vessel.generate->kind, vessel.generate->parameters));
+hull::Hull load_hull(const scene::VesselScene& vessel) {
+  if (!vessel.generate) return hull::read_hull(vessel.hull);
+  return hull::generate_hull(hull::hull_form(vessel.generate->kind, vessel.generate->parameters));
 }
 
-double lowest(const TriangleMesh& mesh) {
+double lowest(const geometry::TriangleMesh& mesh) {
   double z = mesh.vertices.front().z();
   for (const auto& p : mesh.vertices) z = std::min(z, p.z());
   return z;
 }
 
-[[noreturn]] void refuse(const Scene& scene, const std::string& message) {
+[[noreturn]] void refuse(const scene::Scene& scene, const std::string& message) {
   throw InputError(scene.file.string() + ": <vessel name='" + scene.vessel->name + "'>: " + message);
 }
 
-double height_of(const TriangleMesh& mesh) {
+double height_of(const geometry::TriangleMesh& mesh) {
   const auto [bottom, top] = std::minmax_element(mesh.vertices.begin(), mesh.vertices.end(),
                                                  [](const Vec3& a, const Vec3& b) { return a.z() < b.z(); });
   return top->z() - bottom->z();
@@ -50,12 +50,13 @@ double height_of(const TriangleMesh& mesh) {
 
 /// Mass, centre of mass and inertia in V. Missing values follow from uniform density; a missing mass follows from the
 /// draught or the given height.
-MassProperties vessel_mass(const Scene& scene, const TriangleMesh& fluid, const Mat3& R, const WorldParts& parts) {
-  const VesselScene& vessel = *scene.vessel;
-  const MassScene& given = vessel.mass;
+geometry::MassProperties vessel_mass(const scene::Scene& scene, const geometry::TriangleMesh& fluid, const Mat3& R,
+                                     const WorldParts& parts) {
+  const scene::VesselScene& vessel = *scene.vessel;
+  const scene::MassScene& given = vessel.mass;
   NILAS_DEMAND(!given.value || !given.draught);
   const auto displaced = [&](double z) {
-    return parts.water->density * submerged_mesh(fluid, R, {0, 0, z}, parts.water->level).volume;
+    return parts.water->density * hydro::submerged_mesh(fluid, R, {0, 0, z}, parts.water->level).volume;
   };
   double mass = given.value.value_or(0);
   if (!given.value) {
@@ -68,7 +69,7 @@ MassProperties vessel_mass(const Scene& scene, const TriangleMesh& fluid, const 
       mass = displaced(vessel.position.z());
     if (!(mass > 0)) refuse(scene, "the hull displaces no water at the given height, so it has no mass");
   }
-  MassProperties properties = mesh_properties(fluid, 1.0);
+  geometry::MassProperties properties = geometry::mesh_properties(fluid, 1.0);
   properties.inertia *= mass / properties.mass;
   properties.mass = mass;
   if (given.cog) properties.com = *given.cog;
@@ -77,48 +78,49 @@ MassProperties vessel_mass(const Scene& scene, const TriangleMesh& fluid, const 
 }
 
 /// Height of V's origin: the given one, the one that gives the draught, or that of floating equilibrium.
-double vessel_height(const Scene& scene, const TriangleMesh& fluid, const Mat3& R, double mass,
+double vessel_height(const scene::Scene& scene, const geometry::TriangleMesh& fluid, const Mat3& R, double mass,
                      const WorldParts& parts) {
-  const VesselScene& vessel = *scene.vessel;
+  const scene::VesselScene& vessel = *scene.vessel;
   if (vessel.position_has_z) return vessel.position.z();
   NILAS_DEMAND(parts.water.has_value());
   if (vessel.mass.draught) return parts.water->level - *vessel.mass.draught - lowest(fluid);
-  return floating_height(fluid, R, mass, *parts.water);
+  return hydro::floating_height(fluid, R, mass, *parts.water);
 }
 
-CarriageModel carriage_model(const Scene& scene, const VesselModel& model, double length) {
-  const CarriageScene& given = *scene.vessel->carriage;
-  CarriageModel carriage;
+vessel::CarriageModel carriage_model(const scene::Scene& scene, const vessel::VesselModel& model, double length) {
+  const scene::CarriageScene& given = *scene.vessel->carriage;
+  vessel::CarriageModel carriage;
   carriage.joint_V = given.joint.value_or(model.mass.com);
   const Vec3 start = model.pose_V.p + model.pose_V.q * carriage.joint_V;
   const double yaw = scene.vessel->heading_deg * k_deg;
-  carriage.motion = given.path.empty() ? CarriageMotion::straight(start, yaw, given.speed, given.heading_deg * k_deg,
-                                                                  given.ramp, scene.time.start, given.ramp_shape)
-                                       : CarriageMotion::path(start, yaw, given.path);
+  carriage.motion = given.path.empty()
+                        ? vessel::CarriageMotion::straight(start, yaw, given.speed, given.heading_deg * k_deg,
+                                                           given.ramp, scene.time.start, given.ramp_shape)
+                        : vessel::CarriageMotion::path(start, yaw, given.path);
   carriage.free = given.free;
   carriage.stiffness = given.balance.stiffness;
   carriage.damping = given.balance.damping;
   carriage.balance = given.balance.kind;
   if (carriage.balance == BalanceKind::six_cells)
-    carriage.cells =
-        given.balance.layout.empty() ? default_cells(k_cell_arm_share * length) : read_cells(given.balance.layout);
+    carriage.cells = given.balance.layout.empty() ? vessel::default_cells(k_cell_arm_share * length)
+                                                  : vessel::read_cells(given.balance.layout);
   return carriage;
 }
 
 /// Hull geometry with its origin at the centre of mass, as the body arrays need it.
-std::shared_ptr<const Shape> hull_shape(const Hull& hull, const Vec3& com) {
-  const auto shifted = [&](TriangleMesh mesh) {
+std::shared_ptr<const geometry::Shape> hull_shape(const hull::Hull& hull, const Vec3& com) {
+  const auto shifted = [&](geometry::TriangleMesh mesh) {
     for (auto& p : mesh.vertices) p -= com;
     return mesh;
   };
   double size = 0;
   for (const auto& p : hull.fluid.vertices) size = std::max(size, (p - com).norm());
-  std::vector<ConvexPolytope> parts;
-  for (const auto& part : hull.parts) parts.push_back(make_polytope(shifted(part), k_part_tolerance * size));
-  return std::make_shared<const Shape>(mesh_shape(shifted(hull.fluid), std::move(parts)));
+  std::vector<geometry::ConvexPolytope> parts;
+  for (const auto& part : hull.parts) parts.push_back(geometry::make_polytope(shifted(part), k_part_tolerance * size));
+  return std::make_shared<const geometry::Shape>(geometry::mesh_shape(shifted(hull.fluid), std::move(parts)));
 }
 
-double length_of(const TriangleMesh& mesh) {
+double length_of(const geometry::TriangleMesh& mesh) {
   double low = mesh.vertices.front().x(), high = low;
   for (const auto& p : mesh.vertices) {
     low = std::min(low, p.x());
@@ -128,16 +130,18 @@ double length_of(const TriangleMesh& mesh) {
 }
 
 /// Adds a part to the model and its shape to `solids`.
-void add_part(const Scene& scene, const PartScene& given, VesselModel& model, std::vector<Solid>& solids) {
+void add_part(const scene::Scene& scene, const scene::PartScene& given, vessel::VesselModel& model,
+              std::vector<Solid>& solids) {
   solids.push_back(build_solid(given));
-  const MassProperties& mass = solids.back().mass;
-  PartModel part;
+  const geometry::MassProperties& mass = solids.back().mass;
+  vessel::PartModel part;
   part.mass = mass.mass;
   part.inertia_B = mass.inertia;
   part.in_V.q = attitude_of(given.rotation_deg);
   part.in_V.p = given.position + part.in_V.q * mass.com;
   const auto& all = scene.vessel->parts;
-  const auto to = std::find_if(all.begin(), all.end(), [&](const PartScene& other) { return other.name == given.to; });
+  const auto to =
+      std::find_if(all.begin(), all.end(), [&](const scene::PartScene& other) { return other.name == given.to; });
   part.to = to == all.end() ? -1 : static_cast<int>(to - all.begin());
   part.joint = given.joint;
   part.point_V = given.at.value_or(given.position);
@@ -151,38 +155,39 @@ void add_part(const Scene& scene, const PartScene& given, VesselModel& model, st
   model.parts.push_back(part);
 }
 
-void add_rods(const Scene& scene, VesselModel& model, RunInfo& info) {
+void add_rods(const scene::Scene& scene, vessel::VesselModel& model, RunInfo& info) {
   const auto& all = scene.vessel->parts;
-  for (const RodScene& given : scene.vessel->rods) {
-    const auto on = std::find_if(all.begin(), all.end(), [&](const PartScene& part) { return part.name == given.on; });
+  for (const scene::RodScene& given : scene.vessel->rods) {
+    const auto on =
+        std::find_if(all.begin(), all.end(), [&](const scene::PartScene& part) { return part.name == given.on; });
     const int part = on == all.end() ? -1 : static_cast<int>(on - all.begin());
     model.rods.push_back({given.name, part, given.at, given.to, given.length});
     info.rods.push_back(given.name);
     info.modules.emplace_back("rod " + given.name, "<rod>");
   }
   if (model.rods.empty()) return;
-  if (const auto fault = rod_fault(model, scene.time.start)) {
-    const RodScene& rod = scene.vessel->rods[fault->rod];
+  if (const auto fault = vessel::rod_fault(model, scene.time.start)) {
+    const scene::RodScene& rod = scene.vessel->rods[fault->rod];
     const std::string line = rod.line > 0 ? std::to_string(rod.line) + ":" : "";  // added elements have none
     throw InputError(scene.file.string() + ":" + line + " <rod name='" + rod.name + "'>: " + fault->message);
   }
 }
 
 /// Whether a part stands still: the hull is fixed and all joints between hull and part are welds.
-bool stands_still(const VesselModel& model, std::size_t part) {
+bool stands_still(const vessel::VesselModel& model, std::size_t part) {
   if (!model.fixed || model.parts[part].joint != JointKind::weld) return false;
   return model.parts[part].to < 0 || stands_still(model, static_cast<std::size_t>(model.parts[part].to));
 }
 
-std::vector<BodySpec> part_bodies(const Scene& scene, const VesselModel& model, const std::vector<Solid>& solids,
-                                  const VesselSystem& vessel) {
-  std::vector<BodySpec> specs;
+std::vector<bodies::BodySpec> part_bodies(const scene::Scene& scene, const vessel::VesselModel& model,
+                                          const std::vector<Solid>& solids, const vessel::VesselSystem& vessel) {
+  std::vector<bodies::BodySpec> specs;
   for (std::size_t k = 0; k < model.parts.size(); ++k) {
-    const PartScene& given = scene.vessel->parts[k];
-    BodySpec spec;
+    const scene::PartScene& given = scene.vessel->parts[k];
+    bodies::BodySpec spec;
     spec.name = given.name;
-    spec.kind = BodyKind::vessel;
-    spec.motion = stands_still(model, k) ? Motion::fixed : Motion::articulated;
+    spec.kind = bodies::BodyKind::vessel;
+    spec.motion = stands_still(model, k) ? bodies::Motion::fixed : bodies::Motion::articulated;
     spec.material = given.material;
     spec.shape = solids[k].shape;
     spec.mass = model.parts[k].mass;
@@ -193,18 +198,18 @@ std::vector<BodySpec> part_bodies(const Scene& scene, const VesselModel& model, 
   return specs;
 }
 
-void start_as(const VesselState& state, BodySpec& spec) {
+void start_as(const vessel::VesselState& state, bodies::BodySpec& spec) {
   spec.pose = state.pose;
   spec.v = state.v;
   spec.w = state.w;
 }
 
-void add_part_bodies(const Scene& scene, const VesselModel& model, const std::vector<BodySpec>& specs, int hull,
-                     WorldParts& parts) {
+void add_part_bodies(const scene::Scene& scene, const vessel::VesselModel& model,
+                     const std::vector<bodies::BodySpec>& specs, int hull, WorldParts& parts) {
   parts.num_parts = static_cast<int>(model.parts.size());
   for (std::size_t k = 0; k < model.parts.size(); ++k) {
-    const PartScene& given = scene.vessel->parts[k];
-    const PartModel& part = model.parts[k];
+    const scene::PartScene& given = scene.vessel->parts[k];
+    const vessel::PartModel& part = model.parts[k];
     const int body = parts.bodies.add(specs[k]);
     if (part.joint != JointKind::free) parts.joined.emplace_back(hull + 1 + part.to, body);
     parts.info.parts.push_back({given.name, part.joint});
@@ -215,10 +220,10 @@ void add_part_bodies(const Scene& scene, const VesselModel& model, const std::ve
 
 }  // namespace
 
-int build_vessel(const Scene& scene, WorldParts& parts) {
-  const VesselScene& vessel = *scene.vessel;
-  const Hull hull = load_hull(vessel);
-  VesselModel model;
+int build_vessel(const scene::Scene& scene, WorldParts& parts) {
+  const scene::VesselScene& vessel = *scene.vessel;
+  const hull::Hull hull = load_hull(vessel);
+  vessel::VesselModel model;
   model.pose_V.q = Quat(Eigen::AngleAxisd(vessel.heading_deg * k_deg, Vec3::UnitZ()));
   const Mat3 R = model.pose_V.q.toRotationMatrix();
   model.mass = vessel_mass(scene, hull.fluid, R, parts);
@@ -231,23 +236,23 @@ int build_vessel(const Scene& scene, WorldParts& parts) {
   if (scene.contact.integrator == Integrator::moreau) model.theta = scene.contact.theta;
   if (vessel.carriage) model.carriage = carriage_model(scene, model, length_of(hull.fluid));
   std::vector<Solid> solids;
-  for (const PartScene& part : vessel.parts) add_part(scene, part, model, solids);
+  for (const scene::PartScene& part : vessel.parts) add_part(scene, part, model, solids);
   add_rods(scene, model, parts.info);
   parts.carriage = model.carriage;
   parts.vessel_model = model;
   parts.vessel.emplace(model, scene.time.start);
 
-  BodySpec spec;
+  bodies::BodySpec spec;
   spec.name = vessel.name;
-  spec.kind = BodyKind::vessel;
-  spec.motion = vessel.fixed ? Motion::fixed : Motion::articulated;
-  spec.material = k_hull_material;
+  spec.kind = bodies::BodyKind::vessel;
+  spec.motion = vessel.fixed ? bodies::Motion::fixed : bodies::Motion::articulated;
+  spec.material = scene::k_hull_material;
   spec.shape = hull_shape(hull, model.mass.com);
   spec.mass = model.mass.mass;
   spec.inertia_B = model.mass.inertia;
   spec.pose = parts.vessel->state().pose;
-  std::vector<BodySpec> specs{spec};
-  for (const BodySpec& part : part_bodies(scene, model, solids, *parts.vessel)) specs.push_back(part);
+  std::vector<bodies::BodySpec> specs{spec};
+  for (const bodies::BodySpec& part : part_bodies(scene, model, solids, *parts.vessel)) specs.push_back(part);
   settle_vessel(scene, specs, parts);
   start_as(parts.vessel->state(), specs.front());
   for (std::size_t k = 0; k < model.parts.size(); ++k) start_as(parts.vessel->parts()[k].state, specs[k + 1]);
@@ -263,4 +268,4 @@ int build_vessel(const Scene& scene, WorldParts& parts) {
   return index;
 }
 
-}  // namespace nilas
+}  // namespace nilas::sim

@@ -16,11 +16,11 @@
 #include "core/sim/world/load_axes.h"
 #include "core/sim/world/world.h"
 
-namespace nilas {
+namespace nilas::sim {
 
 /// Adds the contact model to the list of what was built.
-static void list_contact(const Scene& scene, RunInfo& info) {
-  const ContactScene& contact = scene.contact;
+static void list_contact(const scene::Scene& scene, RunInfo& info) {
+  const scene::ContactScene& contact = scene.contact;
   info.modules.emplace_back(
       "contact", "law " + name_of(contact.law) + ", solver " + name_of(contact.solver) + ", stabilisation " +
                      name_of(contact.stabilisation) + ", detection " + name_of(contact.detection) + ", narrow phase " +
@@ -38,21 +38,22 @@ static void build_modules(const ModuleSources& from, const ModuleList& modules, 
     NILAS_DEMAND(std::none_of(parts.modules.begin(), parts.modules.end(), [&](const auto& other) {
       return other->name() == built.module->name();  // names a group of the checkpoint and columns
     }));
-    Module& module = *parts.modules.emplace_back(std::move(built.module));
+    bodies::Module& module = *parts.modules.emplace_back(std::move(built.module));
     if (entry.listed) parts.info.modules.emplace_back(entry.name, built.reason);
     for (std::string& column : module.columns()) parts.info.module_columns.push_back(std::move(column));
     if (!module.exerts_loads()) continue;
     parts.forces.push_back(&module);
     if (!module.conservative()) parts.info.work_names.push_back(module.name());
-    if (parts.vessel && module.load_on_vessel() == VesselLoad::own) parts.info.vessel_loads.push_back(module.name());
+    if (parts.vessel && module.load_on_vessel() == bodies::VesselLoad::own)
+      parts.info.vessel_loads.push_back(module.name());
   }
 }
 
-static void build_water(const Scene& scene, WorldParts& parts) {
+static void build_water(const scene::Scene& scene, WorldParts& parts) {
   const bool needs_water = scene.hydro && (scene.hydro->buoyancy || scene.hydro->drag);
   NILAS_DEMAND(!needs_water || scene.water);
   if (!scene.water) return;
-  Water water;
+  hydro::Water water;
   water.density = scene.water->density;
   water.level = scene.water->level;
   if (scene.water->current) water.current = scene.water->current->velocity;
@@ -61,14 +62,14 @@ static void build_water(const Scene& scene, WorldParts& parts) {
   parts.water = water;
 }
 
-static FrictionTable friction_table(const Scene& scene) {
-  FrictionTable table;
+static contact::FrictionTable friction_table(const scene::Scene& scene) {
+  contact::FrictionTable table;
   for (const auto& f : scene.contact.friction)
     table.add(f.material_a, f.material_b, {f.static_, f.kinetic, f.restitution, f.rolling, f.spinning});
   return table;
 }
 
-static void list_absent(const Scene& scene, RunInfo& info) {
+static void list_absent(const scene::Scene& scene, RunInfo& info) {
   const auto absent = [&](bool present, const char* name) {
     if (!present) info.not_built.emplace_back(name);
   };
@@ -80,25 +81,25 @@ static void list_absent(const Scene& scene, RunInfo& info) {
 }
 
 /// Bodies that a user places and that must not overlap others at the start. Other bodies may overlap each other.
-constexpr std::array k_judged{BodyKind::floe, BodyKind::vessel};
+constexpr std::array k_judged{bodies::BodyKind::floe, bodies::BodyKind::vessel};
 
-void refuse_overlaps(const Scene& scene, const WorldParts& parts) {
-  const Bodies& bodies = parts.bodies;
+void refuse_overlaps(const scene::Scene& scene, const WorldParts& parts) {
+  const bodies::Bodies& bodies = parts.bodies;
   const auto kind = [&](int b) { return bodies.kind[b]; };
-  double tolerance = PackedFieldScene{}.overlap_tolerance;
-  const auto tolerate = [&](const PackedFieldScene& packed) {
+  double tolerance = scene::PackedFieldScene{}.overlap_tolerance;
+  const auto tolerate = [&](const scene::PackedFieldScene& packed) {
     tolerance = std::max(tolerance, packed.overlap_tolerance);
   };
   if (scene.ice)
     for (const auto& field : scene.ice->fields) {
-      if (const auto* packed = std::get_if<PackedFieldScene>(&field.form)) tolerate(*packed);
-      if (const auto* channel = std::get_if<ChannelFieldScene>(&field.form)) tolerate(channel->ice);
+      if (const auto* packed = std::get_if<scene::PackedFieldScene>(&field.form)) tolerate(*packed);
+      if (const auto* channel = std::get_if<scene::ChannelFieldScene>(&field.form)) tolerate(channel->ice);
     }
-  ContactDetector detector;
+  detect::ContactDetector detector;
   const auto joined = [&](int a, int b) { return parts.are_joined(a, b); };
   for (const auto& c : detector.detect(bodies, 0, joined)) {
-    const bool judged =
-        std::any_of(k_judged.begin(), k_judged.end(), [&](BodyKind k) { return kind(c.a) == k || kind(c.b) == k; });
+    const bool judged = std::any_of(k_judged.begin(), k_judged.end(),
+                                    [&](bodies::BodyKind k) { return kind(c.a) == k || kind(c.b) == k; });
     if (!judged) continue;
     const auto reach = [&](int b) { return bodies.shape[b]->bounding_radius; };
     const double allowed = tolerance * std::min(reach(c.a), reach(c.b));
@@ -113,22 +114,23 @@ void refuse_overlaps(const Scene& scene, const WorldParts& parts) {
 
 /// Starts a perturbed run: shifts free floes and bodies horizontally by up to 1e-12 m. In a chaotic scene the run soon
 /// diverges from the unperturbed one.
-void set_aside(std::uint64_t twin, Bodies& bodies) {
+void set_aside(std::uint64_t twin, bodies::Bodies& bodies) {
   constexpr double k_aside = 1e-12;  // [m]
   RandomStream stream(twin, "twin");
   for (int b = 0; b < bodies.size(); ++b) {
     const auto i = static_cast<std::size_t>(b);
-    if (bodies.kind[i] != BodyKind::floe && !(bodies.kind[i] == BodyKind::rigid && bodies.is_free(b))) continue;
+    if (bodies.kind[i] != bodies::BodyKind::floe && !(bodies.kind[i] == bodies::BodyKind::rigid && bodies.is_free(b)))
+      continue;
     const double x = stream.uniform(-k_aside, k_aside), y = stream.uniform(-k_aside, k_aside);
     bodies.set_pose(b, bodies.p_GB[i] + Vec3(x, y, 0), bodies.q_GB[i]);
   }
 }
 
-WorldParts build_world(const Scene& scene, int threads, WarningCounts& warnings, const ModuleList& modules) {
+WorldParts build_world(const scene::Scene& scene, int threads, WarningCounts& warnings, const ModuleList& modules) {
   WorldParts parts;
   parts.info.scene_name = scene.name;
   build_water(scene, parts);
-  const FrictionTable friction = friction_table(scene);
+  const contact::FrictionTable friction = friction_table(scene);
   if (scene.vessel) parts.vessel_index = build_vessel(scene, parts);
   if (scene.ice) build_ice(scene, threads, parts, warnings);
   build_structures(scene, parts);
@@ -156,4 +158,4 @@ WorldParts build_world(const Scene& scene, int threads, WarningCounts& warnings,
   return parts;
 }
 
-}  // namespace nilas
+}  // namespace nilas::sim

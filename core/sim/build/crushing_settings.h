@@ -6,11 +6,11 @@
 #include "core/scene/scene.h"
 #include "fracture/model/crushing.h"
 
-namespace nilas {
+namespace nilas::sim {
 
 /// Both functions throw ContractError when the scene has no <crushing>.
-CrushingSettings crushing_settings(const Scene& scene);
+fracture::CrushingSettings crushing_settings(const scene::Scene& scene);
 /// One line for the list of what was built. It names the bodies that stay rigid.
-std::string crushing_description(const Scene& scene, const Bodies& bodies);
+std::string crushing_description(const scene::Scene& scene, const bodies::Bodies& bodies);
 
-}  // namespace nilas
+}  // namespace nilas::sim

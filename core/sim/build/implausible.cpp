@@ -10,7 +10,7 @@
 #include "core/sim/build/vessel_doubts.h"
 #include "core/sim/world/course.h"
 
-namespace nilas {
+namespace nilas::sim {
 
 namespace {
 
@@ -23,7 +23,7 @@ double two_digits(double x, double (*round)(double)) {
 /// The largest share of the speed that can remain after a ramp as swing of a mode with this period [s]. It is the
 /// modulus of the Fourier transform of the acceleration, or a bound of it. With x = omega ramp: 2 sin(x/2) / x for a
 /// linear ramp; 12/x^2 (2 sin(x/2) / x - cos(x/2)) for a smooth one.
-double swing_after(const CarriageScene& carriage, double period) {
+double swing_after(const scene::CarriageScene& carriage, double period) {
   const double x = 2 * k_pi / period * carriage.ramp;
   constexpr double k_smooth = 12;
   switch (carriage.ramp_shape) {
@@ -36,7 +36,7 @@ double swing_after(const CarriageScene& carriage, double period) {
 }
 
 /// Shortest ramp of the same shape that leaves at most `share` of the speed [s].
-double gentle_ramp(const CarriageScene& carriage, double period, double share) {
+double gentle_ramp(const scene::CarriageScene& carriage, double period, double share) {
   constexpr double k_smooth = 12;
   const double x = carriage.ramp_shape == RampShape::smooth ? 1 + std::sqrt(k_smooth / share) : 2 / share;
   return x * period / (2 * k_pi);
@@ -44,7 +44,7 @@ double gentle_ramp(const CarriageScene& carriage, double period, double share) {
 
 class Doubts {
  public:
-  Doubts(const Scene& scene, const WorldParts& parts, std::vector<Fault>& warnings)
+  Doubts(const scene::Scene& scene, const WorldParts& parts, std::vector<Fault>& warnings)
       : scene_(scene), parts_(parts), warnings_(warnings) {}
 
   void all() {
@@ -60,7 +60,7 @@ class Doubts {
 
  private:
   void doubt(const std::string& path, const std::string& message) {
-    warnings_.push_back(warning_at(scene_, path, message));
+    warnings_.push_back(scene::warning_at(scene_, path, message));
   }
 
   void ice() {
@@ -70,8 +70,8 @@ class Doubts {
   }
 
   bool falls(int b) const {
-    const BodyKind kind = parts_.bodies.kind[b];
-    return parts_.bodies.is_free(b) && (kind == BodyKind::floe || kind == BodyKind::vessel);
+    const bodies::BodyKind kind = parts_.bodies.kind[b];
+    return parts_.bodies.is_free(b) && (kind == bodies::BodyKind::floe || kind == bodies::BodyKind::vessel);
   }
 
   void water() {
@@ -100,16 +100,17 @@ class Doubts {
     if (scene_.water && scene_.water->current && moves(*scene_.water->current)) return true;
     if (scene_.hydro && scene_.hydro->virtual_drag && moves(*scene_.hydro->virtual_drag)) return true;
     if (std::any_of(scene_.bodies.begin(), scene_.bodies.end(),
-                    [&](const BodyScene& body) { return moves(body) || !body.angular_velocity.isZero(0); }))
+                    [&](const scene::BodyScene& body) { return moves(body) || !body.angular_velocity.isZero(0); }))
       return true;
     return scene_.ice && (std::any_of(scene_.ice->fields.begin(), scene_.ice->fields.end(), moves) ||
                           std::any_of(scene_.ice->floes.begin(), scene_.ice->floes.end(), moves));
   }
 
   void motion() {
-    const Bodies& bodies = parts_.bodies;
+    const bodies::Bodies& bodies = parts_.bodies;
     bool can_move = parts_.info.course == CourseKind::carriage || (scene_.vessel && !scene_.vessel->fixed);
-    for (const Motion motion_of_body : bodies.motion) can_move = can_move || motion_of_body != Motion::fixed;
+    for (const bodies::Motion motion_of_body : bodies.motion)
+      can_move = can_move || motion_of_body != bodies::Motion::fixed;
     if (!can_move)
       doubt("", bodies.size() == 0 ? "the scene has no bodies, so nothing happens in it"
                                    : "no body of the scene can move: each is fixed");
@@ -149,7 +150,7 @@ class Doubts {
   /// Warns of carriage settings that do not fit the tow of a ship.
   void towing() {
     if (!scene_.vessel || !scene_.vessel->carriage || parts_.info.course != CourseKind::carriage) return;
-    const CarriageScene& carriage = *scene_.vessel->carriage;
+    const scene::CarriageScene& carriage = *scene_.vessel->carriage;
     constexpr std::size_t k_surge = 0, k_sway = 1;
     if (carriage.free[k_surge] || carriage.free[k_sway])
       doubt("vessel/carriage/@free", "the joint is free along the water, so the carriage leaves the vessel behind");
@@ -168,10 +169,10 @@ class Doubts {
   }
 
   void path() {
-    const CarriageMotion& motion = parts_.carriage->motion;
+    const vessel::CarriageMotion& motion = parts_.carriage->motion;
     const auto [first, last] = motion.path_span();
     constexpr double k_rounding = 1e-6;  // share of a step, same value as in end_of_course()
-    const double end = scene_.time.start + static_cast<double>(number_of_steps(scene_.time)) * scene_.time.step;
+    const double end = scene_.time.start + static_cast<double>(scene::number_of_steps(scene_.time)) * scene_.time.step;
     if (last < end - k_rounding * scene_.time.step)
       doubt("vessel/carriage/path",
             fmt::format("the path ends at {:g} s; the run ends there, before its end at {:g} s", last, end));
@@ -226,22 +227,22 @@ class Doubts {
 
   void structures() {
     if (scene_.contact.integrator != Integrator::reference) return;
-    for (const BodyScene& body : scene_.bodies)
+    for (const scene::BodyScene& body : scene_.bodies)
       if (body.fixed && body.kind() != SolidShapeKind::plane)
         doubt("body", fmt::format("integrator reference writes no loads on the fixed body '{}'", body.name));
   }
 
-  const Scene& scene_;
+  const scene::Scene& scene_;
   const WorldParts& parts_;
   std::vector<Fault>& warnings_;
 };
 
 }  // namespace
 
-void note_implausible(const Scene& scene, WorldParts& parts) {
+void note_implausible(const scene::Scene& scene, WorldParts& parts) {
   std::vector<Fault> warnings = scene.warnings;
   Doubts(scene, parts, warnings).all();
   parts.info.warnings = std::move(warnings);
 }
 
-}  // namespace nilas
+}  // namespace nilas::sim

@@ -2,9 +2,9 @@
 /// Warnings about scenes that can run but are probably not meant as written.
 #include "core/sim/world/world.h"
 
-namespace nilas {
+namespace nilas::sim {
 
 /// Adds the scene's own warnings and those of the built world to RunInfo::warnings.
-void note_implausible(const Scene& scene, WorldParts& parts);
+void note_implausible(const scene::Scene& scene, WorldParts& parts);
 
-}  // namespace nilas
+}  // namespace nilas::sim

@@ -8,28 +8,28 @@
 #include "fracture/model/ice_modules.h"
 #include "hydro/modules.h"
 
-namespace nilas {
+namespace nilas::sim {
 
 namespace {
 
 BuiltModule buoyancy(const ModuleSources& from) {
   if (!from.scene.hydro || !from.scene.hydro->buoyancy) return {};
-  return {make_buoyancy(*from.parts.water, from.threads), "<hydro><buoyancy>"};
+  return {hydro::make_buoyancy(*from.parts.water, from.threads), "<hydro><buoyancy>"};
 }
 
 BuiltModule drag(const ModuleSources& from) {
   if (!from.scene.hydro || !from.scene.hydro->drag) return {};
   // A solver that keeps mirrored scenes mirrored needs loads that do not differ by rounding.
-  const bool order_free = find_solver(from.scene.contact.solver).order_free;
+  const bool order_free = contact::find_solver(from.scene.contact.solver).order_free;
   const auto& drag = *from.scene.hydro->drag;
-  return {make_drag(*from.parts.water, {drag.form, drag.skin}, from.threads, order_free),
+  return {hydro::make_drag(*from.parts.water, {drag.form, drag.skin}, from.threads, order_free),
           order_free ? "<hydro><drag>, order-free for the solver" : "<hydro><drag>"};
 }
 
 BuiltModule virtual_drag(const ModuleSources& from) {
   if (!from.scene.hydro || !from.scene.hydro->virtual_drag) return {};
   const auto& drag = *from.scene.hydro->virtual_drag;
-  return {make_virtual_drag(drag.coefficient, drag.velocity), "<hydro><virtual_drag>"};
+  return {hydro::make_virtual_drag(drag.coefficient, drag.velocity), "<hydro><virtual_drag>"};
 }
 
 bool has_breakable_ice(const WorldParts& parts) {
@@ -49,20 +49,21 @@ bool breaks(const ModuleSources& from) {
 
 BuiltModule crushing(const ModuleSources& from) {
   if (!crushes(from)) return {};
-  const Bodies& bodies = from.parts.bodies;
-  return {make_crushing(crushing_settings(from.scene), bodies, *from.parts.ice_properties, from.warnings),
+  const bodies::Bodies& bodies = from.parts.bodies;
+  return {fracture::make_crushing(crushing_settings(from.scene), bodies, *from.parts.ice_properties, from.warnings),
           crushing_description(from.scene, bodies)};
 }
 
 BuiltModule breaking(const ModuleSources& from) {
   if (!breaks(from)) return {};
-  return {make_breaking(breaking_settings(from.scene), *from.parts.ice_properties), breaking_description(from.scene)};
+  return {fracture::make_breaking(breaking_settings(from.scene), *from.parts.ice_properties),
+          breaking_description(from.scene)};
 }
 
 BuiltModule pieces(const ModuleSources& from) {
   const bool clears = crushes(from) && from.scene.fracture->crushing->clear_volume;
   if (!breaks(from) && !clears) return {};
-  return {make_pieces(piece_limits(from.scene), *from.parts.ice_properties, from.warnings), "<fracture>"};
+  return {fracture::make_pieces(piece_limits(from.scene), *from.parts.ice_properties, from.warnings), "<fracture>"};
 }
 
 }  // namespace
@@ -75,4 +76,4 @@ const ModuleList& scene_modules() {
   return modules;
 }
 
-}  // namespace nilas
+}  // namespace nilas::sim

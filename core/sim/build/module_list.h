@@ -10,20 +10,20 @@
 #include "core/scene/scene.h"
 #include "core/sim/world/world.h"
 
-namespace nilas {
+namespace nilas::sim {
 
 /// The sources from which modules are built. A module may refer to `parts.ice_properties` and `warnings`, which outlive
 /// it, and must copy everything else.
 struct ModuleSources {
-  const Scene& scene;
+  const scene::Scene& scene;
   const WorldParts& parts;  ///< its bodies are complete
   int threads;
   WarningCounts& warnings;
 };
 
 struct BuiltModule {
-  std::unique_ptr<Module> module;  ///< null where the scene does not ask for it
-  std::string reason;              ///< the element that asks for it, for the list of what was built and why
+  std::unique_ptr<bodies::Module> module;  ///< null where the scene does not ask for it
+  std::string reason;                      ///< the element that asks for it, for the list of what was built and why
 };
 
 struct ModuleEntry {
@@ -38,4 +38,4 @@ using ModuleList = std::vector<ModuleEntry>;
 /// The modules of this program: loads, then contacts, then what happens at a step's end.
 const ModuleList& scene_modules();
 
-}  // namespace nilas
+}  // namespace nilas::sim

@@ -7,12 +7,12 @@
 #include "core/vessel/model/cells.h"
 #include "hydro/wetted.h"
 
-namespace nilas {
+namespace nilas::sim {
 
 namespace {
 
 /// Mass matrix. All matrices of this file refer to small motions (translation; rotation) of the centre of mass, in G.
-Mat6 mass_matrix(const Bodies& bodies, int vessel) {
+Mat6 mass_matrix(const bodies::Bodies& bodies, int vessel) {
   Mat6 M = Mat6::Zero();
   M.topLeftCorner<3, 3>() = bodies.mass[vessel] * Mat3::Identity();
   M.bottomRightCorner<3, 3>() = bodies.inertia_G(vessel);
@@ -21,15 +21,15 @@ Mat6 mass_matrix(const Bodies& bodies, int vessel) {
 
 /// Hydrostatic stiffness in heave, roll and pitch (Newman, Marine Hydrodynamics, 6.16), including the vessel's weight,
 /// which acts at the centre of mass.
-Mat6 water_stiffness(const Scene& scene, const WorldParts& parts) {
+Mat6 water_stiffness(const scene::Scene& scene, const WorldParts& parts) {
   Mat6 K = Mat6::Zero();
   if (!parts.water || !scene.hydro || !scene.hydro->buoyancy) return K;
   const auto b = static_cast<std::size_t>(parts.vessel_index);
-  const TriangleMesh& mesh = parts.bodies.shape[b]->surface;
+  const geometry::TriangleMesh& mesh = parts.bodies.shape[b]->surface;
   const Mat3& R = parts.bodies.R_GB[b];
   const Vec3& p = parts.bodies.p_GB[b];
-  const Waterplane cut = waterplane(mesh, R, p, parts.water->level);
-  const Submerged wet = submerged_mesh(mesh, R, p, parts.water->level);
+  const hydro::Waterplane cut = hydro::waterplane(mesh, R, p, parts.water->level);
+  const hydro::Submerged wet = hydro::submerged_mesh(mesh, R, p, parts.water->level);
   const double weight = parts.water->density * parts.water->gravity;
   const Vec2 arm = cut.centroid - p.head<2>();
   const double lift = wet.volume * (wet.centre.z() - p.z());
@@ -43,8 +43,8 @@ Mat6 water_stiffness(const Scene& scene, const WorldParts& parts) {
 }
 
 /// Matrix from a small motion of the centre of mass to (rotation; translation) of the joint in the carriage's frame.
-Mat6 joint_motion(const CarriageModel& carriage, const WorldParts& parts, double t0) {
-  const CarriageMotion::State start = carriage.motion.at(t0);
+Mat6 joint_motion(const vessel::CarriageModel& carriage, const WorldParts& parts, double t0) {
+  const vessel::CarriageMotion::State start = carriage.motion.at(t0);
   const Mat3 to_carriage = Eigen::AngleAxisd(-start.yaw, Vec3::UnitZ()).toRotationMatrix();
   const Vec3 arm = start.p - parts.bodies.p_GB[parts.vessel_index];
   Mat3 cross;
@@ -57,7 +57,7 @@ Mat6 joint_motion(const CarriageModel& carriage, const WorldParts& parts, double
 }
 
 /// Entries of (rotation; translation) along which the joint is free.
-std::vector<int> free_entries(const CarriageModel& carriage) {
+std::vector<int> free_entries(const vessel::CarriageModel& carriage) {
   if (carriage.balance == BalanceKind::prismatic) return {5};
   static constexpr std::array<int, 6> k_entries{3, 4, 5, 0, 1, 2};  // indices of surge, sway, heave, roll, pitch, yaw
   std::vector<int> entries;
@@ -75,17 +75,18 @@ std::string motion_name(const Vec6& mode, const Mat6& M) {
 
 }  // namespace
 
-std::vector<NaturalPeriod> natural_periods(const Scene& scene, const WorldParts& parts) {
+std::vector<NaturalPeriod> natural_periods(const scene::Scene& scene, const WorldParts& parts) {
   if (!scene.vessel || scene.vessel->fixed || parts.is_jointed()) return {};
   const Mat6 M = mass_matrix(parts.bodies, parts.vessel_index), water = water_stiffness(scene, parts);
   Mat6 cells = Mat6::Zero();
   MatX basis = Mat6::Identity();
   if (parts.carriage) {
-    const CarriageModel& carriage = *parts.carriage;
+    const vessel::CarriageModel& carriage = *parts.carriage;
     const Mat6 T = joint_motion(carriage, parts, scene.time.start);
     const std::vector<int> free = free_entries(carriage);
     if (carriage.balance == BalanceKind::six_cells)
-      cells = T.transpose() * condensed_stiffness(cell_wrenches(carriage.cells), carriage.stiffness, free) * T;
+      cells = T.transpose() *
+              vessel::condensed_stiffness(vessel::cell_wrenches(carriage.cells), carriage.stiffness, free) * T;
     else
       basis = T.inverse()(Eigen::all, free);
   }
@@ -109,10 +110,10 @@ std::vector<NaturalPeriod> natural_periods(const Scene& scene, const WorldParts&
   return periods;
 }
 
-double floe_heave_period(const Scene& scene, const WorldParts& parts) {
+double floe_heave_period(const scene::Scene& scene, const WorldParts& parts) {
   if (!parts.water || !scene.hydro || !scene.hydro->buoyancy || !(parts.info.ice_thickness > 0)) return 0;
   return 2 * k_pi *
          std::sqrt(scene.ice->density * parts.info.ice_thickness / (parts.water->density * parts.water->gravity));
 }
 
-}  // namespace nilas
+}  // namespace nilas::sim

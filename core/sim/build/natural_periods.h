@@ -5,7 +5,7 @@
 
 #include "core/sim/world/world.h"
 
-namespace nilas {
+namespace nilas::sim {
 
 /// Steps per period below which the stiff block of a vessel damps modes on its cells.
 constexpr double k_least_steps_on_cells = 4;
@@ -18,9 +18,9 @@ struct NaturalPeriod {
 
 /// Periods of small motions about the vessel's initial pose, undamped and without added mass, shortest first. Modes
 /// without stiffness and unstable modes are left out. Empty without a vessel that can move.
-std::vector<NaturalPeriod> natural_periods(const Scene& scene, const WorldParts& parts);
+std::vector<NaturalPeriod> natural_periods(const scene::Scene& scene, const WorldParts& parts);
 
 /// Heave period of a floating floe of mean thickness, without added mass [s]; 0 without floating ice.
-double floe_heave_period(const Scene& scene, const WorldParts& parts);
+double floe_heave_period(const scene::Scene& scene, const WorldParts& parts);
 
-}  // namespace nilas
+}  // namespace nilas::sim

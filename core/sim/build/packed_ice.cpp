@@ -2,45 +2,45 @@
 
 #include "core/field/outline_library.h"
 
-namespace nilas {
+namespace nilas::sim {
 
-static void set_size(const SizeScene& size, PackedSpec& spec) {
+static void set_size(const scene::SizeScene& size, field::PackedSpec& spec) {
   spec.distribution = kind_of<SizeDistribution>(size);
   const auto set_ends = [&](const auto& of) {
     spec.min = of.min;
     spec.max = of.max;
   };
-  std::visit(Overloaded{[&](const FixedSizeScene& fixed) { spec.mean = fixed.mean; },
-                        [&](const UniformSizeScene& uniform) { set_ends(uniform); },
-                        [&](const LognormalSizeScene& lognormal) {
+  std::visit(Overloaded{[&](const scene::FixedSizeScene& fixed) { spec.mean = fixed.mean; },
+                        [&](const scene::UniformSizeScene& uniform) { set_ends(uniform); },
+                        [&](const scene::LognormalSizeScene& lognormal) {
                           spec.mean = lognormal.mean;
                           spec.sd = lognormal.sd;
                           set_ends(lognormal);
                         },
-                        [&](const PowerLawSizeScene& power_law) {
+                        [&](const scene::PowerLawSizeScene& power_law) {
                           spec.exponent = power_law.exponent;
                           set_ends(power_law);
                         },
-                        [](const LibrarySizeScene&) {}},
+                        [](const scene::LibrarySizeScene&) {}},
              size);
 }
 
-static void set_shape(const FloeShapeScene& shape, PackedSpec& spec) {
+static void set_shape(const scene::FloeShapeScene& shape, field::PackedSpec& spec) {
   spec.shape = kind_of<FloeShape>(shape);
-  std::visit(
-      Overloaded{[&](const PolygonScene& polygon) {
-                   spec.vertices_min = polygon.vertices_min;
-                   spec.vertices_max = polygon.vertices_max;
-                 },
-                 [&](const RectangleScene& rectangle) { spec.aspect = rectangle.aspect; }, [](const SquareScene&) {},
-                 [&](const ParallelogramScene& parallelogram) { spec.aspect = parallelogram.aspect; },
-                 [](const DiscScene&) {},
-                 [&](const LibraryScene& library) { spec.library = read_outlines(library.file); }},
-      shape);
+  std::visit(Overloaded{[&](const scene::PolygonScene& polygon) {
+                          spec.vertices_min = polygon.vertices_min;
+                          spec.vertices_max = polygon.vertices_max;
+                        },
+                        [&](const scene::RectangleScene& rectangle) { spec.aspect = rectangle.aspect; },
+                        [](const scene::SquareScene&) {},
+                        [&](const scene::ParallelogramScene& parallelogram) { spec.aspect = parallelogram.aspect; },
+                        [](const scene::DiscScene&) {},
+                        [&](const scene::LibraryScene& library) { spec.library = field::read_outlines(library.file); }},
+             shape);
 }
 
-PackedSpec packed_spec(const PackedFieldScene& field) {
-  PackedSpec spec;
+field::PackedSpec packed_spec(const scene::PackedFieldScene& field) {
+  field::PackedSpec spec;
   spec.concentration = field.concentration;
   spec.overlap_tolerance = field.overlap_tolerance;
   spec.shear = field.shear_deg * k_deg;
@@ -49,11 +49,11 @@ PackedSpec packed_spec(const PackedFieldScene& field) {
   return spec;
 }
 
-PackedSpec cell_spec(const VoronoiFieldScene& field) {
-  PackedSpec spec;
+field::PackedSpec cell_spec(const scene::VoronoiFieldScene& field) {
+  field::PackedSpec spec;
   spec.concentration = field.concentration;
   set_size(field.size, spec);
   return spec;
 }
 
-}  // namespace nilas
+}  // namespace nilas::sim

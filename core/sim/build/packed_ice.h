@@ -3,11 +3,11 @@
 #include "core/field/spec/field_spec.h"
 #include "core/scene/elements/field_scene.h"
 
-namespace nilas {
+namespace nilas::sim {
 
 /// Concentration, sizes and outlines. The caller fills in the region, the outlines to keep clear of and the seed.
 /// Throws FileError and InputError for a library of outlines that cannot be read.
-PackedSpec packed_spec(const PackedFieldScene& field);
-PackedSpec cell_spec(const VoronoiFieldScene& field);
+field::PackedSpec packed_spec(const scene::PackedFieldScene& field);
+field::PackedSpec cell_spec(const scene::VoronoiFieldScene& field);
 
-}  // namespace nilas
+}  // namespace nilas::sim

@@ -5,9 +5,9 @@
 
 #include "core/sim/world/world.h"
 
-namespace nilas {
+namespace nilas::sim {
 
 /// The sentences of hull_doubts() about the vessel as the scene places it; empty without a vessel.
-std::vector<std::string> vessel_doubts(const Scene& scene, const WorldParts& parts);
+std::vector<std::string> vessel_doubts(const scene::Scene& scene, const WorldParts& parts);
 
-}  // namespace nilas
+}  // namespace nilas::sim

@@ -6,16 +6,17 @@
 #include "hydro/equilibrium.h"
 #include "hydro/modules.h"
 
-namespace nilas {
+namespace nilas::sim {
 
 namespace {
 
 /// The vessel alone in the water, under the force modules of the run.
 class AtRest {
  public:
-  AtRest(const Scene& scene, const std::vector<BodySpec>& specs, const WorldParts& parts) : gravity_(scene.gravity) {
-    for (const BodySpec& spec : specs) alone_.add(spec);
-    if (scene.hydro && scene.hydro->buoyancy && parts.water) buoyancy_ = make_buoyancy(*parts.water, 1);
+  AtRest(const scene::Scene& scene, const std::vector<bodies::BodySpec>& specs, const WorldParts& parts)
+      : gravity_(scene.gravity) {
+    for (const bodies::BodySpec& spec : specs) alone_.add(spec);
+    if (scene.hydro && scene.hydro->buoyancy && parts.water) buoyancy_ = hydro::make_buoyancy(*parts.water, 1);
   }
   bool afloat() const { return buoyancy_ != nullptr; }
   std::vector<Wrench> loads(const std::vector<Pose>& poses) {
@@ -30,17 +31,17 @@ class AtRest {
 
  private:
   Vec3 gravity_;
-  Bodies alone_;
-  std::unique_ptr<ForceModule> buoyancy_;
+  bodies::Bodies alone_;
+  std::unique_ptr<bodies::ForceModule> buoyancy_;
 };
 
 }  // namespace
 
-void settle_vessel(const Scene& scene, const std::vector<BodySpec>& specs, WorldParts& parts) {
+void settle_vessel(const scene::Scene& scene, const std::vector<bodies::BodySpec>& specs, WorldParts& parts) {
   if (!parts.carriage || !scene.vessel->rods.empty()) return;
-  const BodySpec& hull = specs.front();
+  const bodies::BodySpec& hull = specs.front();
   AtRest vessel(scene, specs, parts);
-  RestModel rest;
+  vessel::RestModel rest;
   rest.loads = [&](const std::vector<Pose>& poses) { return vessel.loads(poses); };
   rest.weight = (hull.mass * scene.gravity).norm();
   rest.length = hull.shape->bounding_radius;
@@ -48,9 +49,10 @@ void settle_vessel(const Scene& scene, const std::vector<BodySpec>& specs, World
   const bool as_placed = scene.vessel->carriage->start == CarriageStart::as_placed;
   try {
     if (rest.afloat && parts.carriage->free_in_heave() && specs.size() == 1)
-      rest.heave = floating_height(hull.shape->surface, hull.pose.q.toRotationMatrix(), hull.mass, *parts.water) -
-                   hull.pose.p.z();
-    const VesselRest found = parts.vessel->settle(rest, !as_placed);
+      rest.heave =
+          hydro::floating_height(hull.shape->surface, hull.pose.q.toRotationMatrix(), hull.mass, *parts.water) -
+          hull.pose.p.z();
+    const vessel::VesselRest found = parts.vessel->settle(rest, !as_placed);
     parts.info.tare = found.carried;
     if (found.moving_part && !as_placed) parts.restless = scene.vessel->parts[*found.moving_part].name;
   } catch (const InputError& error) {
@@ -62,4 +64,4 @@ void settle_vessel(const Scene& scene, const std::vector<BodySpec>& specs, World
   }
 }
 
-}  // namespace nilas
+}  // namespace nilas::sim

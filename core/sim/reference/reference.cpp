@@ -11,7 +11,7 @@
 #include "core/base/error.h"
 #include "core/numerics/event_ode.h"
 
-namespace nilas {
+namespace nilas::sim {
 
 namespace {
 
@@ -27,13 +27,13 @@ constexpr double k_touch = 2e-9;
 constexpr double k_unloaded_slack = 1e-12;
 constexpr int k_events_to_trust = 5, k_most_events = 200;  ///< counts of events at one instant
 
-std::unique_ptr<ContactSolver> acceleration_solver(const ContactScene& contact, int threads) {
-  SolverSettings settings;
+std::unique_ptr<solvers::ContactSolver> acceleration_solver(const scene::ContactScene& contact, int threads) {
+  contact::SolverSettings settings;
   constexpr double k_tolerance = 1e-10;  // [m/s^2]
   settings.tolerance = k_tolerance;
-  settings.max_iterations = std::max(contact.max_iterations, SolverSettings{}.max_iterations);
+  settings.max_iterations = std::max(contact.max_iterations, contact::SolverSettings{}.max_iterations);
   settings.threads = threads;
-  return find_solver(contact.solver).make(settings);
+  return contact::find_solver(contact.solver).make(settings);
 }
 
 double rest_speed(double tolerance) {
@@ -76,7 +76,8 @@ double moment_of(const Vec3& p, const Wrench& load) { return (p.cross(load.force
 
 }  // namespace
 
-ReferenceIntegrator::ReferenceIntegrator(const Scene& scene, int threads, WorldParts& parts, const ContactModel& model)
+ReferenceIntegrator::ReferenceIntegrator(const scene::Scene& scene, int threads, WorldParts& parts,
+                                         const ContactModel& model)
     : parts_(parts),
       model_(model),
       gravity_(scene.gravity),
@@ -87,7 +88,7 @@ ReferenceIntegrator::ReferenceIntegrator(const Scene& scene, int threads, WorldP
       contacts_(parts.friction, acceleration_solver(scene.contact, threads), scene.contact.law.law == Law::frictionless,
                 rest_speed(scene.contact.tolerance), vessel_ ? &*vessel_ : nullptr,
                 [&parts](int a, int b) { return parts.are_joined(a, b); }),
-      module_loads_(parts.forces.size(), Wrenches(parts.bodies.id.size())),
+      module_loads_(parts.forces.size(), bodies::Wrenches(parts.bodies.id.size())),
       impact_settings_(model.assembly),
       rest_speed_(rest_speed(scene.contact.tolerance)) {
   impact_settings_.h = 1;  // the points are already closed
@@ -107,7 +108,8 @@ bool ReferenceIntegrator::moves(int body) const {
 }
 
 /// Adds the force or impulse `on_b` of a contact to the loads on the vessel and its parts.
-void ReferenceIntegrator::add_to_vessel(const ContactPoint& c, const Vec3& on_b, ReferenceVesselLoads& sum) const {
+void ReferenceIntegrator::add_to_vessel(const detect::ContactPoint& c, const Vec3& on_b,
+                                        ReferenceVesselLoads& sum) const {
   const auto about = [&](int body, const Vec3& force) -> Wrench {
     return {force, (c.p - parts_.bodies.p_GB[body]).cross(force)};
   };
@@ -118,16 +120,16 @@ void ReferenceIntegrator::add_to_vessel(const ContactPoint& c, const Vec3& on_b,
   if (parts_.is_of_vessel(c.a) == is_b) return;
   const Vec3 force = (is_b ? 1 : -1) * on_b;
   sum.contact += about(parts_.vessel_index, force);
-  if (parts_.bodies.kind[is_b ? c.a : c.b] == BodyKind::floe) sum.ice += force;
+  if (parts_.bodies.kind[is_b ? c.a : c.b] == bodies::BodyKind::floe) sum.ice += force;
 }
 
-double ReferenceIntegrator::approach(const ContactPoint& point) const {
+double ReferenceIntegrator::approach(const detect::ContactPoint& point) const {
   return point.n.dot(parts_.bodies.velocity_at(point.b, point.p) - parts_.bodies.velocity_at(point.a, point.p));
 }
 
-Wrenches ReferenceIntegrator::free_loads(double t) {
-  const Bodies& bodies = parts_.bodies;
-  Wrenches loads(bodies.id.size());
+bodies::Wrenches ReferenceIntegrator::free_loads(double t) {
+  const bodies::Bodies& bodies = parts_.bodies;
+  bodies::Wrenches loads(bodies.id.size());
   for (std::size_t b = 0; b < loads.size(); ++b) loads[b].force = bodies.mass[b] * gravity_;
   for (std::size_t k = 0; k < module_loads_.size(); ++k) {
     std::fill(module_loads_[k].begin(), module_loads_[k].end(), Wrench{});
@@ -143,14 +145,14 @@ void ReferenceIntegrator::add_module_loads(std::size_t body, ReferenceVesselLoad
   for (std::size_t m = 0; m < module_loads_.size(); ++m) {
     const Wrench& on_body = module_loads_[m][body];
     const Wrench load{on_body.force, on_body.torque + arm.cross(on_body.force)};
-    const VesselLoad kind = parts_.forces[m]->load_on_vessel();
-    if (kind == VesselLoad::water) sum.hydro += load;
-    if (kind == VesselLoad::own) sum.modules[own++] += load;
+    const bodies::VesselLoad kind = parts_.forces[m]->load_on_vessel();
+    if (kind == bodies::VesselLoad::water) sum.hydro += load;
+    if (kind == bodies::VesselLoad::own) sum.modules[own++] += load;
   }
 }
 
 ReferenceLoads ReferenceIntegrator::loads(double t) {
-  Bodies& bodies = parts_.bodies;
+  bodies::Bodies& bodies = parts_.bodies;
   ReferenceLoads out(bodies.id.size(), parts_.info.work_names.size(), no_vessel_loads_);
   out.total = free_loads(t);
   for (int k = 0; k < bodies.size(); ++k) {
@@ -206,7 +208,7 @@ void ReferenceIntegrator::watch(double t, VecX& g) {
 }
 
 void ReferenceIntegrator::begin_smooth_motion(double t0, double longest_step) {
-  EventOde ode;
+  numerics::EventOde ode;
   // The time of an event is found to a share of the integration time, so time is counted from the last event.
   ode.derivative = [this, t0](double since, const VecX& y, VecX& dy) {
     state_.unpack(t0 + since, y, parts_.bodies);
@@ -217,7 +219,7 @@ void ReferenceIntegrator::begin_smooth_motion(double t0, double longest_step) {
     state_.unpack(t0 + since, y, parts_.bodies);
     watch(t0 + since, g);
   };
-  OdeSettings settings;
+  numerics::OdeSettings settings;
   settings.relative = contacts_.list().empty() ? k_relative_in_flight : k_relative_in_contact;
   settings.absolute = state_.absolute_tolerances(parts_.bodies, settings.relative);
   settings.longest_step = longest_step;
@@ -227,28 +229,28 @@ void ReferenceIntegrator::begin_smooth_motion(double t0, double longest_step) {
 }
 
 /// Applies impulses from the scene's own contact problem, law, restitution and solver. Poses do not change.
-void ReferenceIntegrator::impact(double t, std::vector<ContactPoint> points, ReferenceStep& step) {
-  Bodies& bodies = parts_.bodies;
+void ReferenceIntegrator::impact(double t, std::vector<detect::ContactPoint> points, ReferenceStep& step) {
+  bodies::Bodies& bodies = parts_.bodies;
   const auto hardest = std::min_element(points.begin(), points.end(),
                                         [this](const auto& p, const auto& q) { return approach(p) < approach(q); });
   step.events.push_back({t, ContactEventKind::impact, hardest->a, hardest->b, -approach(*hardest)});
   for (auto& point : points) point.gap = 0;
   step.met.insert(step.met.end(), points.begin(), points.end());
-  std::vector<ArticulatedBlock> vessel;
+  std::vector<contact::ArticulatedBlock> vessel;
   if (vessel_) vessel.push_back(vessel_->velocity_block());
-  AssembledContacts contacts =
-      assemble(bodies, Wrenches(bodies.id.size()), points, parts_.friction, impact_settings_, vessel);
-  const PreparedProblem prepared(contacts.problem);
-  StaticFrictionSolution solved = model_.solve(contacts.problem, prepared, {}, slipped_);
+  contact::AssembledContacts contacts =
+      contact::assemble(bodies, bodies::Wrenches(bodies.id.size()), points, parts_.friction, impact_settings_, vessel);
+  const contact::PreparedProblem prepared(contacts.problem);
+  contact::StaticFrictionSolution solved = model_.solve(contacts.problem, prepared, {}, slipped_);
   slipped_ = std::move(solved.slipping);
-  const ContactSolution& solution = solved.solution;
-  const Residuals residuals = measure(prepared, solution.r, solution.v);
+  const contact::ContactSolution& solution = solved.solution;
+  const contact::Residuals residuals = contact::measure(prepared, solution.r, solution.v);
   if (residuals.law_map_m_s >= step.residuals.law_map_m_s) step.residuals = residuals;
   step.iterations += solution.iterations;
-  if (worse(step.status, solution.status) != step.status) step.message = solution.message;
-  step.status = worse(step.status, solution.status);
+  if (contact::worse(step.status, solution.status) != step.status) step.message = solution.message;
+  step.status = contact::worse(step.status, solution.status);
 
-  const Velocities before{bodies.v_GB, bodies.w_GB};
+  const contact::Velocities before{bodies.v_GB, bodies.w_GB};
   for (std::size_t b = 0; b < bodies.id.size(); ++b) {
     const int block = contacts.block_of_body[b];
     if (block < 0) continue;
@@ -262,7 +264,7 @@ void ReferenceIntegrator::impact(double t, std::vector<ContactPoint> points, Ref
   }
   ContactImpulses impulses{std::move(points), {}};
   for (std::size_t i = 0; i < impulses.points.size(); ++i)
-    impulses.impulses.emplace_back(contacts.C[i] * solution.r.segment<3>(row_of(i)));
+    impulses.impulses.emplace_back(contacts.C[i] * solution.r.segment<3>(contact::row_of(i)));
   book(impulses, before, step.account);
   step.impact = {};
   step.impact.problem = std::move(contacts.problem);
@@ -272,12 +274,12 @@ void ReferenceIntegrator::impact(double t, std::vector<ContactPoint> points, Ref
 }
 
 /// Books losses and momenta of impulses that changed the velocities from `before` to the current ones.
-void ReferenceIntegrator::book(const ContactImpulses& impulses, const Velocities& before,
+void ReferenceIntegrator::book(const ContactImpulses& impulses, const contact::Velocities& before,
                                ReferenceAccount& account) const {
-  const Bodies& bodies = parts_.bodies;
+  const bodies::Bodies& bodies = parts_.bodies;
   ReferenceVesselLoads on_vessel = no_vessel_loads_;
   for (std::size_t i = 0; i < impulses.points.size(); ++i) {
-    const ContactPoint& c = impulses.points[i];
+    const detect::ContactPoint& c = impulses.points[i];
     const auto sum_at = [&](int body) -> Vec3 {
       const auto b = static_cast<std::size_t>(body);
       return bodies.v_GB[b] + before.v[b] + (bodies.w_GB[b] + before.w[b]).cross(c.p - bodies.p_GB[b]);
@@ -307,9 +309,9 @@ std::size_t ReferenceIntegrator::carriage_work() const {
 
 /// Books the carriage's impulse: the change of the vessel's momenta minus the impulses of its contacts, about the
 /// hull's centre of mass.
-void ReferenceIntegrator::book_carriage(const Wrench& contact, const Velocities& before,
+void ReferenceIntegrator::book_carriage(const Wrench& contact, const contact::Velocities& before,
                                         ReferenceAccount& account) const {
-  const Bodies& bodies = parts_.bodies;
+  const bodies::Bodies& bodies = parts_.bodies;
   const auto hull = static_cast<std::size_t>(parts_.vessel_index);
   Wrench held{-contact.force, -contact.torque};
   for (int k = parts_.vessel_index; vessel_->holds(k); ++k) {
@@ -318,8 +320,8 @@ void ReferenceIntegrator::book_carriage(const Wrench& contact, const Velocities&
     held += {gained,
              (bodies.p_GB[b] - bodies.p_GB[hull]).cross(gained) + bodies.inertia_G(k) * (bodies.w_GB[b] - before.w[b])};
   }
-  const CarriageLoads impulse = vessel_->carriage_impulse(held);
-  CarriageLoads& sum = *account.vessel.carriage;
+  const vessel::CarriageLoads impulse = vessel_->carriage_impulse(held);
+  vessel::CarriageLoads& sum = *account.vessel.carriage;
   sum.about_com += impulse.about_com;
   sum.about_joint += impulse.about_joint;
   for (std::size_t i = 0; i < sum.cells.size(); ++i) sum.cells[i] += impulse.cells[i];
@@ -334,7 +336,7 @@ void ReferenceIntegrator::book_carriage(const Wrench& contact, const Velocities&
 /// Enters the next smooth stretch of the carriage's motion if the present one ends at t. Returns whether it did.
 bool ReferenceIntegrator::enter_stretch(double t, ReferenceStep& step) {
   if (!vessel_ || t < vessel_->stretch_end()) return false;
-  const Velocities before{parts_.bodies.v_GB, parts_.bodies.w_GB};
+  const contact::Velocities before{parts_.bodies.v_GB, parts_.bodies.w_GB};
   vessel_->enter_next_stretch(parts_.bodies);
   book({}, before, step.account);
   return true;
@@ -342,7 +344,7 @@ bool ReferenceIntegrator::enter_stretch(double t, ReferenceStep& step) {
 
 /// Sets the gaps at which open points close: zero, or slightly less where rounding or a bounce that has just ended
 /// leaves a gap of zero.
-void ReferenceIntegrator::set_levels(const std::vector<ContactPoint>& points) {
+void ReferenceIntegrator::set_levels(const std::vector<detect::ContactPoint>& points) {
   level_.clear();
   for (const auto& point : points) {
     const double rounding = gap_rounding(point.p);
@@ -355,7 +357,7 @@ void ReferenceIntegrator::set_levels(const std::vector<ContactPoint>& points) {
 bool ReferenceIntegrator::sunk() {
   const auto points = contacts_.detect(parts_.bodies);
   return std::any_of(points.begin(), points.end(),
-                     [this](const ContactPoint& c) { return c.gap < -k_touch && approach(c) < -rest_speed_; });
+                     [this](const detect::ContactPoint& c) { return c.gap < -k_touch && approach(c) < -rest_speed_; });
 }
 
 void ReferenceIntegrator::count_standstill(double t) {
@@ -370,20 +372,20 @@ void ReferenceIntegrator::count_standstill(double t) {
 /// Handles an event: impulses where points close, then the decision which contacts stay closed, and how.
 void ReferenceIntegrator::settle(double t, ReferenceStep& step) {
   count_standstill(t);
-  Bodies& bodies = parts_.bodies;
+  bodies::Bodies& bodies = parts_.bodies;
   const auto points = contacts_.detect(bodies);
-  std::vector<ContactPoint> closed, resting;
+  std::vector<detect::ContactPoint> closed, resting;
   for (const auto& point : points)
     if (point.gap <= k_touch) closed.push_back(point);
-  const bool hit =
-      std::any_of(closed.begin(), closed.end(), [this](const ContactPoint& c) { return approach(c) < -rest_speed_; });
+  const bool hit = std::any_of(closed.begin(), closed.end(),
+                               [this](const detect::ContactPoint& c) { return approach(c) < -rest_speed_; });
   if (hit) impact(t, closed, step);
   for (const auto& point : closed)
     if (std::abs(approach(point)) <= rest_speed_) resting.push_back(point);
   const auto before = contacts_.list();
   contacts_.decide(bodies, free_loads(t), resting, t);
   if (standstill_ >= k_events_to_trust) contacts_.trust_states();
-  const Velocities creeping{bodies.v_GB, bodies.w_GB};
+  const contact::Velocities creeping{bodies.v_GB, bodies.w_GB};
   book(contacts_.stop_creep(bodies), creeping, step.account);
   set_levels(points);
   note_changes(t, before, contacts_.list(), step.events);
@@ -391,9 +393,9 @@ void ReferenceIntegrator::settle(double t, ReferenceStep& step) {
   settled_ = true;
 }
 
-std::vector<PartState> ReferenceIntegrator::parts_now(double t) { return vessel_->parts(loads(t).total); }
+std::vector<vessel::PartState> ReferenceIntegrator::parts_now(double t) { return vessel_->parts(loads(t).total); }
 
-OdeStop ReferenceIntegrator::follow(double t1, VecX& y) {
+numerics::OdeStop ReferenceIntegrator::follow(double t1, VecX& y) {
   try {
     return smooth_->follow(t1 - smooth_start_, y);
   } catch (const SimulationError& error) {
@@ -410,7 +412,7 @@ ReferenceStep ReferenceIntegrator::advance(double t0, double t1) {
     if (!smooth_) begin_smooth_motion(t, t1 - t0);
     VecX y;
     const double end = vessel_ ? std::min(t1, vessel_->stretch_end()) : t1;
-    const OdeStop stop = follow(end, y);
+    const numerics::OdeStop stop = follow(end, y);
     const bool reached = stop.events.empty();
     t = reached ? end : smooth_start_ + stop.t;
     state_.unpack(t, y, parts_.bodies);
@@ -424,4 +426,4 @@ ReferenceStep ReferenceIntegrator::advance(double t0, double t1) {
   return step;
 }
 
-}  // namespace nilas
+}  // namespace nilas::sim

@@ -14,7 +14,7 @@
 #include "core/sim/world/contact_model.h"
 #include "core/sim/world/world.h"
 
-namespace nilas {
+namespace nilas::sim {
 
 /// The record of one output step.
 struct ReferenceStep {
@@ -22,65 +22,65 @@ struct ReferenceStep {
   std::vector<ContactEvent> events;
   int contacts = 0;  ///< number of contacts that stay closed at the end
   int iterations = 0;
-  SolveStatus status = SolveStatus::converged;  ///< the worst of all impacts
+  contact::SolveStatus status = contact::SolveStatus::converged;  ///< the worst of all impacts
   std::string message;
-  Residuals residuals;            ///< those of the impact with the largest law_map_m_s
-  SolvedProblem impact;           ///< problem of the last impact
-  std::vector<ContactPoint> met;  ///< contacts that closed in the step or stay closed
+  contact::Residuals residuals;           ///< those of the impact with the largest law_map_m_s
+  contact::SolvedProblem impact;          ///< problem of the last impact
+  std::vector<detect::ContactPoint> met;  ///< contacts that closed in the step or stay closed
 };
 
 class ReferenceIntegrator {
  public:
   /// Moves the bodies of `parts`; impacts follow `model`. Throws InputError where too many contacts are closed.
-  ReferenceIntegrator(const Scene& scene, int threads, WorldParts& parts, const ContactModel& model);
+  ReferenceIntegrator(const scene::Scene& scene, int threads, WorldParts& parts, const ContactModel& model);
 
   /// Advances from t0 to t1 [s]. Throws SimulationError where the motion cannot be followed.
   ReferenceStep advance(double t0, double t1);
   /// Hull and parts in their present state, with the joint loads at the instant `t` [s]. Only for a vessel that moves.
-  std::vector<PartState> parts_now(double t);
+  std::vector<vessel::PartState> parts_now(double t);
   /// Whether a free or towed vessel moves, so that its momenta are in the account.
   bool accounts_for_vessel() const { return vessel_ && vessel_->has_known_loads(); }
   bool has_vessel() const { return vessel_.has_value(); }
 
  private:
-  Wrenches free_loads(double t);
+  bodies::Wrenches free_loads(double t);
   ReferenceLoads loads(double t);
   void watch(double t, VecX& g);
   void begin_smooth_motion(double t0, double longest_step);
-  OdeStop follow(double t1, VecX& y);
+  numerics::OdeStop follow(double t1, VecX& y);
   void settle(double t, ReferenceStep& step);
   bool enter_stretch(double t, ReferenceStep& step);
-  void impact(double t, std::vector<ContactPoint> points, ReferenceStep& step);
-  void book(const ContactImpulses& impulses, const Velocities& before, ReferenceAccount& account) const;
-  void book_carriage(const Wrench& contact, const Velocities& before, ReferenceAccount& account) const;
+  void impact(double t, std::vector<detect::ContactPoint> points, ReferenceStep& step);
+  void book(const ContactImpulses& impulses, const contact::Velocities& before, ReferenceAccount& account) const;
+  void book_carriage(const Wrench& contact, const contact::Velocities& before, ReferenceAccount& account) const;
   std::size_t carriage_work() const;
-  void add_to_vessel(const ContactPoint& c, const Vec3& on_b, ReferenceVesselLoads& sum) const;
+  void add_to_vessel(const detect::ContactPoint& c, const Vec3& on_b, ReferenceVesselLoads& sum) const;
   void add_module_loads(std::size_t body, ReferenceVesselLoads& sum) const;
   bool moves(int body) const;
-  void set_levels(const std::vector<ContactPoint>& points);
-  double approach(const ContactPoint& point) const;
+  void set_levels(const std::vector<detect::ContactPoint>& points);
+  double approach(const detect::ContactPoint& point) const;
   bool sunk();
   void count_standstill(double t);
 
   WorldParts& parts_;
   const ContactModel& model_;
-  SlippingContacts slipped_;  ///< contacts that slipped at the last impact
+  contact::SlippingContacts slipped_;  ///< contacts that slipped at the last impact
   Vec3 gravity_;
   std::optional<ReferenceVessel> vessel_;
   ReferenceVesselLoads no_vessel_loads_;
   ReferenceState state_;
   SustainedContacts contacts_;
-  SustainedForces sustained_;           ///< result of the last call to loads()
-  std::vector<Wrenches> module_loads_;  ///< result of the last call to free_loads()
-  AssemblySettings impact_settings_;
+  SustainedForces sustained_;                   ///< result of the last call to loads()
+  std::vector<bodies::Wrenches> module_loads_;  ///< result of the last call to free_loads()
+  contact::AssemblySettings impact_settings_;
   double rest_speed_;                      ///< normal speeds below this count as rest [m/s]
   std::map<std::uint64_t, double> level_;  ///< gap at which an open point closes, by key, where it is not zero [m]
-  std::optional<OdeSolution> smooth_;      ///< solution of the motion since the last event
-  double smooth_start_ = 0;                ///< [s]
-  VecX accounted_;                         ///< state of `smooth_` when the account was last read
+  std::optional<numerics::OdeSolution> smooth_;  ///< solution of the motion since the last event
+  double smooth_start_ = 0;                      ///< [s]
+  VecX accounted_;                               ///< state of `smooth_` when the account was last read
   bool settled_ = false;
   double last_event_ = 0;
   int standstill_ = 0;  ///< number of consecutive events at one instant
 };
 
-}  // namespace nilas
+}  // namespace nilas::sim

@@ -5,10 +5,11 @@
 
 #include "core/vessel/model/cells.h"
 
-namespace nilas {
+namespace nilas::sim {
 
-ReferenceCarriage::ReferenceCarriage(const CarriageModel& model) : motion_(model.motion), kinks_(model.motion.kinks()) {
-  if (model.balance == BalanceKind::six_cells) cells_.emplace(cell_wrenches(model.cells));
+ReferenceCarriage::ReferenceCarriage(const vessel::CarriageModel& model)
+    : motion_(model.motion), kinks_(model.motion.kinks()) {
+  if (model.balance == BalanceKind::six_cells) cells_.emplace(vessel::cell_wrenches(model.cells));
 }
 
 void ReferenceCarriage::begin_stretch(double t) {
@@ -21,11 +22,11 @@ void ReferenceCarriage::begin_stretch(double t) {
 
 void ReferenceCarriage::go_to(double t) { moment_ = motion_.moment(t, within_); }
 
-CarriageLoads ReferenceCarriage::loads(const Wrench& about_com, const Vec3& com) const {
-  CarriageLoads loads{about_com, about_com, {}, {}};
+vessel::CarriageLoads ReferenceCarriage::loads(const Wrench& about_com, const Vec3& com) const {
+  vessel::CarriageLoads loads{about_com, about_com, {}, {}};
   loads.about_joint.torque += (com - now().p).cross(about_com.force);
-  if (cells_) loads.cells = cell_readings(*cells_, loads.about_joint, now().yaw);
+  if (cells_) loads.cells = vessel::cell_readings(*cells_, loads.about_joint, now().yaw);
   return loads;
 }
 
-}  // namespace nilas
+}  // namespace nilas::sim

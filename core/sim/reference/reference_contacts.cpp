@@ -13,7 +13,7 @@
 #include "core/base/error.h"
 #include "core/bodies/free_rotation.h"
 
-namespace nilas {
+namespace nilas::sim {
 
 namespace {
 
@@ -25,9 +25,9 @@ constexpr double k_probe = 1e-5;
 /// Reverse slip above this speed ends a state that began at rest; below it is rounding [m/s].
 constexpr double k_slip_slack = 1e-11;
 
-bool moves(const Bodies& bodies, int k) { return bodies.motion[k] != Motion::fixed; }
+bool moves(const bodies::Bodies& bodies, int k) { return bodies.motion[k] != bodies::Motion::fixed; }
 
-double probe_time(const Bodies& bodies) {
+double probe_time(const bodies::Bodies& bodies) {
   double rate = 0;
   for (int k = 0; k < bodies.size(); ++k) {
     if (!moves(bodies, k)) continue;
@@ -37,20 +37,20 @@ double probe_time(const Bodies& bodies) {
   return rate > 0 ? k_probe / rate : 0;
 }
 
-const ContactPoint* find(const std::vector<ContactPoint>& points, std::uint64_t key) {
+const detect::ContactPoint* find(const std::vector<detect::ContactPoint>& points, std::uint64_t key) {
   for (const auto& point : points)
     if (point.key == key) return &point;
   return nullptr;
 }
 
-Vec3 relative_velocity(const Bodies& bodies, const ContactPoint& c) {
+Vec3 relative_velocity(const bodies::Bodies& bodies, const detect::ContactPoint& c) {
   return bodies.velocity_at(c.b, c.p) - bodies.velocity_at(c.a, c.p);
 }
 
 /// Saves the poses that a probe changes, and restores them at the end of its scope.
 class KeptPoses {
  public:
-  explicit KeptPoses(Bodies& bodies) : bodies_(bodies), p_(bodies.p_GB), q_(bodies.q_GB), R_(bodies.R_GB) {}
+  explicit KeptPoses(bodies::Bodies& bodies) : bodies_(bodies), p_(bodies.p_GB), q_(bodies.q_GB), R_(bodies.R_GB) {}
   ~KeptPoses() { restore(); }
   KeptPoses(const KeptPoses&) = delete;
   KeptPoses& operator=(const KeptPoses&) = delete;
@@ -61,23 +61,25 @@ class KeptPoses {
   }
 
  private:
-  Bodies& bodies_;
+  bodies::Bodies& bodies_;
   std::vector<Vec3> p_;
   std::vector<Quat> q_;
   std::vector<Mat3> R_;
 };
 
 /// Moves all bodies over `time` [s] with their present velocities.
-void go_on(Bodies& bodies, double time) {
+void go_on(bodies::Bodies& bodies, double time) {
   for (int k = 0; k < bodies.size(); ++k) {
     if (!moves(bodies, k)) continue;
     const auto b = static_cast<std::size_t>(k);
-    bodies.set_pose(k, bodies.p_GB[b] + time * bodies.v_GB[b], exponential(time * bodies.w_GB[b]) * bodies.q_GB[b]);
+    bodies.set_pose(k, bodies.p_GB[b] + time * bodies.v_GB[b],
+                    bodies::exponential(time * bodies.w_GB[b]) * bodies.q_GB[b]);
   }
 }
 
 /// Twist rates (v', w') under loads alone of the bodies that move; zero for the others.
-std::vector<Vec6> free_accelerations(const Bodies& bodies, const Wrenches& loads, const ReferenceVessel* vessel) {
+std::vector<Vec6> free_accelerations(const bodies::Bodies& bodies, const bodies::Wrenches& loads,
+                                     const ReferenceVessel* vessel) {
   std::vector<Vec6> rates(loads.size(), Vec6::Zero());
   for (int k = 0; k < bodies.size(); ++k) {
     if (!bodies.is_free(k)) continue;
@@ -100,7 +102,8 @@ struct Direction {
   VecX on_vessel;  ///< component in the vessel's speeds; empty where neither body belongs to it
 };
 
-Direction direction(const Bodies& bodies, const ContactPoint& c, const Vec3& d, const ReferenceVessel* vessel) {
+Direction direction(const bodies::Bodies& bodies, const detect::ContactPoint& c, const Vec3& d,
+                    const ReferenceVessel* vessel) {
   Direction out;
   out.a = static_cast<std::size_t>(c.a);
   out.b = static_cast<std::size_t>(c.b);
@@ -113,7 +116,7 @@ Direction direction(const Bodies& bodies, const ContactPoint& c, const Vec3& d, 
   return out;
 }
 
-Vec6 response(const Bodies& bodies, std::size_t b, const Vec6& load) {
+Vec6 response(const bodies::Bodies& bodies, std::size_t b, const Vec6& load) {
   const int k = static_cast<int>(b);
   Vec6 out = Vec6::Zero();
   if (!bodies.is_free(k)) return out;
@@ -122,7 +125,7 @@ Vec6 response(const Bodies& bodies, std::size_t b, const Vec6& load) {
 }
 
 /// Delassus matrix: accelerations along `rows` per unit force along `columns`.
-MatX delassus(const Bodies& bodies, const std::vector<Direction>& rows, const std::vector<Direction>& columns,
+MatX delassus(const bodies::Bodies& bodies, const std::vector<Direction>& rows, const std::vector<Direction>& columns,
               const ReferenceVessel* vessel) {
   const auto size = static_cast<Eigen::Index>(rows.size());
   MatX W = MatX::Zero(size, size);
@@ -152,8 +155,8 @@ VecX smallest_solution(const MatX& W, const VecX& needed) {
 }
 
 /// A contact that carries `force` by the law. It slips if it slips already or friction is at its limit.
-SustainedContact bearing(const ContactPoint& point, const Vec3& force, const Mat3& frame, const Vec3& slip,
-                         const FrictionPair& pair) {
+SustainedContact bearing(const detect::ContactPoint& point, const Vec3& force, const Mat3& frame, const Vec3& slip,
+                         const contact::FrictionPair& pair) {
   SustainedContact contact;
   contact.key = point.key;
   contact.point = point;
@@ -185,8 +188,9 @@ Vec3 slip_direction(const SustainedContact& contact, const ContactKinematics& at
 
 }  // namespace
 
-SustainedContacts::SustainedContacts(const FrictionPairs& friction, std::unique_ptr<ContactSolver> solver,
-                                     bool frictionless, double rest_speed, ReferenceVessel* vessel, PairFilter joined)
+SustainedContacts::SustainedContacts(const contact::FrictionPairs& friction,
+                                     std::unique_ptr<solvers::ContactSolver> solver, bool frictionless,
+                                     double rest_speed, ReferenceVessel* vessel, detect::PairFilter joined)
     : friction_(friction),
       solver_(std::move(solver)),
       frictionless_(frictionless),
@@ -200,15 +204,16 @@ std::vector<std::uint64_t> SustainedContacts::keys() const {
   return keys;
 }
 
-std::vector<ContactKinematics> SustainedContacts::kinematics(Bodies& bodies, const std::vector<std::uint64_t>& keys) {
+std::vector<ContactKinematics> SustainedContacts::kinematics(bodies::Bodies& bodies,
+                                                             const std::vector<std::uint64_t>& keys) {
   std::vector<ContactKinematics> out(keys.size());
   const auto now = detect(bodies);
   for (std::size_t i = 0; i < keys.size(); ++i) {
-    const ContactPoint* const point = find(now, keys[i]);
+    const detect::ContactPoint* const point = find(now, keys[i]);
     if (point == nullptr) continue;
     out[i].found = true;
     out[i].point = *point;
-    out[i].frame = contact_frame(point->n, bodies.R_GB[point->a], 0);
+    out[i].frame = contact::contact_frame(point->n, bodies.R_GB[point->a], 0);
     out[i].velocity = relative_velocity(bodies, *point);
     const Vec3 u = out[i].frame.transpose() * out[i].velocity;
     out[i].bias = 2 * k_drift_rate * u;
@@ -225,7 +230,7 @@ std::vector<ContactKinematics> SustainedContacts::kinematics(Bodies& bodies, con
   go_on(bodies, -probe);
   const auto earlier = detect(bodies);
   for (std::size_t i = 0; i < keys.size(); ++i) {
-    const ContactPoint *const after = find(later, keys[i]), *const before = find(earlier, keys[i]);
+    const detect::ContactPoint *const after = find(later, keys[i]), *const before = find(earlier, keys[i]);
     if (!out[i].found || after == nullptr || before == nullptr) continue;
     const Vec3 rate = (later_velocity[after - later.data()] - relative_velocity(bodies, *before)) / (2 * probe);
     out[i].bias += out[i].frame.transpose() * rate;
@@ -236,16 +241,16 @@ std::vector<ContactKinematics> SustainedContacts::kinematics(Bodies& bodies, con
 
 /// The contact problem of the accelerations: M a = f + H r, u = H^T a + b. A contact that slips already gets its
 /// direction from a component of u far above any acceleration.
-AccelerationProblem SustainedContacts::pose(Bodies& bodies, const Wrenches& loads,
-                                            const std::vector<ContactPoint>& points) {
-  AssemblySettings settings;
+AccelerationProblem SustainedContacts::pose(bodies::Bodies& bodies, const bodies::Wrenches& loads,
+                                            const std::vector<detect::ContactPoint>& points) {
+  contact::AssemblySettings settings;
   settings.h = 1;  // the problem's impulses over one second are forces, its speeds accelerations
   settings.law = frictionless_ ? Law::frictionless : Law::coulomb;
   settings.restitution_threshold = std::numeric_limits<double>::infinity();
-  std::vector<ArticulatedBlock> vessel;
+  std::vector<contact::ArticulatedBlock> vessel;
   if (vessel_ != nullptr) vessel.push_back(vessel_->block(vessel_->accelerations(loads)));
-  AccelerationProblem out{assemble(bodies, loads, points, friction_, settings, vessel), {}, 0};
-  ContactProblem& problem = out.contacts.problem;
+  AccelerationProblem out{contact::assemble(bodies, loads, points, friction_, settings, vessel), {}, 0};
+  contact::ContactProblem& problem = out.contacts.problem;
   const auto rates = free_accelerations(bodies, loads, vessel_);
   for (std::size_t b = 0; b < rates.size(); ++b) {
     const int block = out.contacts.block_of_body[b];
@@ -255,12 +260,12 @@ AccelerationProblem SustainedContacts::pose(Bodies& bodies, const Wrenches& load
   std::vector<std::uint64_t> keys;
   for (const auto& point : points) keys.push_back(point.key);
   const auto at = kinematics(bodies, keys);
-  for (std::size_t i = 0; i < at.size(); ++i) problem.w.segment<3>(row_of(i)) = at[i].bias;
+  for (std::size_t i = 0; i < at.size(); ++i) problem.w.segment<3>(contact::row_of(i)) = at[i].bias;
   if (vessel_ != nullptr)
     for (std::size_t i = 0; i < at.size(); ++i)
-      problem.w.segment<3>(row_of(i)) += vessel_bias(bodies, points[i], out.contacts.C[i]);
-  const VecX free = velocities(problem, VecX::Zero(problem.w.size()));
-  out.scale = contact_velocities(problem, free).lpNorm<Eigen::Infinity>();
+      problem.w.segment<3>(contact::row_of(i)) += vessel_bias(bodies, points[i], out.contacts.C[i]);
+  const VecX free = contact::velocities(problem, VecX::Zero(problem.w.size()));
+  out.scale = contact::contact_velocities(problem, free).lpNorm<Eigen::Infinity>();
   for (std::size_t i = 0; i < at.size(); ++i) {
     const Vec3 n = at[i].frame.col(0);
     out.slip.emplace_back(at[i].velocity - n.dot(at[i].velocity) * n);
@@ -272,13 +277,13 @@ AccelerationProblem SustainedContacts::pose(Bodies& bodies, const Wrenches& load
     }
     out.slip[i] /= speed;
     constexpr double k_far_above = 1e6;
-    problem.w.segment<3>(row_of(i)) += k_far_above * out.scale * (out.contacts.C[i].transpose() * out.slip[i]);
+    problem.w.segment<3>(contact::row_of(i)) += k_far_above * out.scale * (out.contacts.C[i].transpose() * out.slip[i]);
   }
   return out;
 }
 
 /// Relative acceleration, in the axes of C, that the rotation of the vessel's joints causes at constant joint speeds.
-Vec3 SustainedContacts::vessel_bias(const Bodies& bodies, const ContactPoint& c, const Mat3& C) const {
+Vec3 SustainedContacts::vessel_bias(const bodies::Bodies& bodies, const detect::ContactPoint& c, const Mat3& C) const {
   Vec3 sum = Vec3::Zero();
   for (const auto& [body, sign] : {std::pair(c.a, -1.0), std::pair(c.b, 1.0)}) {
     if (!vessel_->holds(body) || !moves(bodies, body)) continue;
@@ -288,8 +293,8 @@ Vec3 SustainedContacts::vessel_bias(const Bodies& bodies, const ContactPoint& c,
   return C.transpose() * sum;
 }
 
-void SustainedContacts::decide(Bodies& bodies, const Wrenches& loads, const std::vector<ContactPoint>& points,
-                               double t) {
+void SustainedContacts::decide(bodies::Bodies& bodies, const bodies::Wrenches& loads,
+                               const std::vector<detect::ContactPoint>& points, double t) {
   list_.clear();
   trusted_ = false;
   if (points.empty()) return;
@@ -300,30 +305,31 @@ void SustainedContacts::decide(Bodies& bodies, const Wrenches& loads, const std:
   const AccelerationProblem posed = pose(bodies, loads, points);
   constexpr double k_least_acceleration = 1e-10;  // [m/s^2] below it nothing is pressed together
   if (!(posed.scale > k_least_acceleration)) return;
-  const ContactProblem& problem = posed.contacts.problem;
-  const ContactSolution solution = solver_->solve(problem, {});
-  const double residual = measure(problem, solution.r, solution.v).law_map_m_s;
+  const contact::ContactProblem& problem = posed.contacts.problem;
+  const contact::ContactSolution solution = solver_->solve(problem, {});
+  const double residual = contact::measure(problem, solution.r, solution.v).law_map_m_s;
   constexpr double k_accepted = 1e-6;  // share of the largest acceleration
   if (!(residual <= k_accepted * posed.scale))
     throw SimulationError(fmt::format(
         "at {:g} s the forces of the closed contacts were not found ({}, residual {:.3g} m/s^2): the law may have no "
         "answer without an impulse (Painleve), or the solver is not apt",
-        t, to_string(solution.status), residual));
-  const auto W = delassus_diagonal(problem);
+        t, contact::to_string(solution.status), residual));
+  const auto W = contact::delassus_diagonal(problem);
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const Vec3 r = solution.r.segment<3>(row_of(i));
+    const Vec3 r = solution.r.segment<3>(contact::row_of(i));
     constexpr double k_least_share = 1e-9;  // share of the largest acceleration
     if (r[0] * W[i](0, 0) > k_least_share * posed.scale + k_least_acceleration)
       list_.push_back(bearing(points[i], r, posed.contacts.C[i], posed.slip[i], friction_of(bodies, points[i])));
   }
 }
 
-FrictionPair SustainedContacts::friction_of(const Bodies& bodies, const ContactPoint& point) const {
+contact::FrictionPair SustainedContacts::friction_of(const bodies::Bodies& bodies,
+                                                     const detect::ContactPoint& point) const {
   if (frictionless_) return {};
   return friction_.of(bodies.material[point.a], bodies.material[point.b]);
 }
 
-SustainedForces SustainedContacts::forces(Bodies& bodies, const Wrenches& loads) {
+SustainedForces SustainedContacts::forces(bodies::Bodies& bodies, const bodies::Wrenches& loads) {
   SustainedForces out;
   if (list_.empty()) return out;
   out.at = kinematics(bodies, keys());
@@ -368,13 +374,13 @@ SustainedForces SustainedContacts::forces(Bodies& bodies, const Wrenches& loads)
   return out;
 }
 
-ContactImpulses SustainedContacts::stop_creep(Bodies& bodies) const {
+ContactImpulses SustainedContacts::stop_creep(bodies::Bodies& bodies) const {
   ContactImpulses out;
   std::vector<Direction> rows;
   std::vector<double> speeds;
   std::vector<Vec3> axes;
   for (const auto& contact : list_) {
-    const Mat3 frame = contact_frame(contact.point.n, bodies.R_GB[contact.a], 0);
+    const Mat3 frame = contact::contact_frame(contact.point.n, bodies.R_GB[contact.a], 0);
     for (Eigen::Index k = 0; k < (contact.grip == Grip::sticks ? 3 : 1); ++k) {
       rows.push_back(direction(bodies, contact.point, frame.col(k), vessel_));
       speeds.push_back(-frame.col(k).dot(relative_velocity(bodies, contact.point)));
@@ -418,9 +424,10 @@ void SustainedContacts::watch(const SustainedForces& forces, Eigen::Ref<VecX> ou
   }
 }
 
-void SustainedContacts::add(const SustainedForces& forces, const Bodies& bodies, Wrenches& loads) const {
+void SustainedContacts::add(const SustainedForces& forces, const bodies::Bodies& bodies,
+                            bodies::Wrenches& loads) const {
   for (std::size_t i = 0; i < list_.size(); ++i) {
-    const ContactPoint& c = forces.at[i].point;
+    const detect::ContactPoint& c = forces.at[i].point;
     if (!forces.at[i].found) continue;
     const Vec3 force = forces.at[i].frame * forces.force[i];
     const auto a = static_cast<std::size_t>(c.a), b = static_cast<std::size_t>(c.b);
@@ -429,4 +436,4 @@ void SustainedContacts::add(const SustainedForces& forces, const Bodies& bodies,
   }
 }
 
-}  // namespace nilas
+}  // namespace nilas::sim

@@ -11,7 +11,7 @@
 #include "core/bodies/module.h"
 #include "core/sim/reference/reference_vessel.h"
 
-namespace nilas {
+namespace nilas::sim {
 
 /// Gap above which contact points are ignored [m].
 constexpr double k_reference_margin = 1e-5;
@@ -24,7 +24,7 @@ enum class Grip { sticks, slips };
 struct SustainedContact {
   std::uint64_t key = 0;
   int a = -1, b = -1;
-  ContactPoint point;  ///< the contact point when this state began
+  detect::ContactPoint point;  ///< the contact point when this state began
   double mu_static = 0, mu_kinetic = 0;
   Grip grip = Grip::slips;
   Vec3 slip_axis = Vec3::UnitX();  ///< direction of slip when this state began, unit
@@ -35,7 +35,7 @@ struct SustainedContact {
 /// independent of the bodies' accelerations.
 struct ContactKinematics {
   bool found = false;
-  ContactPoint point;
+  detect::ContactPoint point;
   Mat3 frame = Mat3::Identity();  ///< columns n, t1, t2
   Vec3 velocity = Vec3::Zero();   ///< velocity of B's point relative to A's, frame G [m/s]
   Vec3 bias = Vec3::Zero();       ///< rate of (u_N, u_T) at zero acceleration, along `frame` [m/s^2]
@@ -50,13 +50,13 @@ struct SustainedForces {
 
 /// Impulses at contact points, on body B, frame G [N s].
 struct ContactImpulses {
-  std::vector<ContactPoint> points;
+  std::vector<detect::ContactPoint> points;
   std::vector<Vec3> impulses;
 };
 
 /// The contact problem of the accelerations.
 struct AccelerationProblem {
-  AssembledContacts contacts;
+  contact::AssembledContacts contacts;
   std::vector<Vec3> slip;  ///< direction of slip per contact, zero where it has none
   double scale = 0;        ///< largest relative acceleration without contact forces [m/s^2]
 };
@@ -65,52 +65,54 @@ class SustainedContacts {
  public:
   /// `solver` decides which contacts carry load, stick and slip. `vessel`: null where none moves. `joined`: pairs of
   /// bodies that do not collide.
-  SustainedContacts(const FrictionPairs& friction, std::unique_ptr<ContactSolver> solver, bool frictionless,
-                    double rest_speed, ReferenceVessel* vessel, PairFilter joined);
+  SustainedContacts(const contact::FrictionPairs& friction, std::unique_ptr<solvers::ContactSolver> solver,
+                    bool frictionless, double rest_speed, ReferenceVessel* vessel, detect::PairFilter joined);
 
   const std::vector<SustainedContact>& list() const { return list_; }
   /// All contact points with a gap below k_reference_margin.
-  std::vector<ContactPoint> detect(const Bodies& bodies) {
+  std::vector<detect::ContactPoint> detect(const bodies::Bodies& bodies) {
     return detector_.detect(bodies, k_reference_margin, joined_);
   }
 
   /// Decides which of the points carry load, and whether they slip. The points are closed and at rest along their
   /// normals. Solves the contact problem of the accelerations, M a = f + H r with u the relative acceleration. `loads`:
   /// without contact. Throws SimulationError when there is no solution.
-  void decide(Bodies& bodies, const Wrenches& loads, const std::vector<ContactPoint>& points, double t);
+  void decide(bodies::Bodies& bodies, const bodies::Wrenches& loads, const std::vector<detect::ContactPoint>& points,
+              double t);
 
   /// Removes the remaining speed of the contacts just decided: along the normals, and the whole of it where they stick.
   /// Returns the impulses for this.
-  ContactImpulses stop_creep(Bodies& bodies) const;
+  ContactImpulses stop_creep(bodies::Bodies& bodies) const;
 
   /// Forces for the decided states: normal accelerations vanish, and tangential ones where a contact sticks; sliding
   /// friction opposes the slip. The forces continue smoothly where the law would end a state.
-  SustainedForces forces(Bodies& bodies, const Wrenches& loads);
+  SustainedForces forces(bodies::Bodies& bodies, const bodies::Wrenches& loads);
   /// Writes two event functions per contact, positive while its state lasts: the normal force, and the slip along
   /// slip_axis or the reserve of static friction.
   void watch(const SustainedForces& forces, Eigen::Ref<VecX> out) const;
   /// Adds the contact forces to the wrenches of their bodies.
-  void add(const SustainedForces& forces, const Bodies& bodies, Wrenches& loads) const;
+  void add(const SustainedForces& forces, const bodies::Bodies& bodies, bodies::Wrenches& loads) const;
   /// Stops watching the forces, for states that are not unique and that the law has confirmed repeatedly.
   void trust_states() { trusted_ = true; }
   bool trusted() const { return trusted_; }
 
  private:
-  std::vector<ContactKinematics> kinematics(Bodies& bodies, const std::vector<std::uint64_t>& keys);
-  AccelerationProblem pose(Bodies& bodies, const Wrenches& loads, const std::vector<ContactPoint>& points);
+  std::vector<ContactKinematics> kinematics(bodies::Bodies& bodies, const std::vector<std::uint64_t>& keys);
+  AccelerationProblem pose(bodies::Bodies& bodies, const bodies::Wrenches& loads,
+                           const std::vector<detect::ContactPoint>& points);
   std::vector<std::uint64_t> keys() const;
-  Vec3 vessel_bias(const Bodies& bodies, const ContactPoint& c, const Mat3& C) const;
-  FrictionPair friction_of(const Bodies& bodies, const ContactPoint& point) const;
+  Vec3 vessel_bias(const bodies::Bodies& bodies, const detect::ContactPoint& c, const Mat3& C) const;
+  contact::FrictionPair friction_of(const bodies::Bodies& bodies, const detect::ContactPoint& point) const;
 
-  const FrictionPairs& friction_;
-  std::unique_ptr<ContactSolver> solver_;
+  const contact::FrictionPairs& friction_;
+  std::unique_ptr<solvers::ContactSolver> solver_;
   bool frictionless_;
   double rest_speed_;  ///< slip below this speed counts as none [m/s]
   ReferenceVessel* vessel_;
-  PairFilter joined_;
-  ContactDetector detector_;
+  detect::PairFilter joined_;
+  detect::ContactDetector detector_;
   std::vector<SustainedContact> list_;
   bool trusted_ = false;
 };
 
-}  // namespace nilas
+}  // namespace nilas::sim

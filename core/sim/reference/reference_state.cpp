@@ -1,6 +1,6 @@
 #include "core/sim/reference/reference_state.h"
 
-namespace nilas {
+namespace nilas::sim {
 
 namespace {
 
@@ -10,7 +10,7 @@ constexpr Eigen::Index k_whole = 15, k_part = 6, k_carriage = 15;
 /// Offsets after the works: friction, impulse, angular impulse, and the two scales; then their number.
 constexpr Eigen::Index k_friction = 0, k_impulse = 1, k_angular = 4, k_scales = 7, k_sums = 9;
 
-Vec3 angular_momentum(const Bodies& bodies, std::size_t b) {
+Vec3 angular_momentum(const bodies::Bodies& bodies, std::size_t b) {
   const Mat3& R = bodies.R_GB[b];
   return R * (bodies.inertia_B[b] * (R.transpose() * bodies.w_GB[b]));
 }
@@ -58,7 +58,7 @@ void ReferenceVesselLoads::add(const VecX& all) {
   Eigen::Map<Vec6>(carriage->cells.data()) += sums.segment<6>(9);
 }
 
-ReferenceState::ReferenceState(const Bodies& bodies, std::size_t works, ReferenceVessel* vessel,
+ReferenceState::ReferenceState(const bodies::Bodies& bodies, std::size_t works, ReferenceVessel* vessel,
                                const ReferenceVesselLoads* sums)
     : vessel_(vessel), works_(static_cast<Eigen::Index>(works)) {
   if (sums != nullptr) vessel_sums_ = sums->size();
@@ -70,7 +70,7 @@ ReferenceState::ReferenceState(const Bodies& bodies, std::size_t works, Referenc
 
 Eigen::Index ReferenceState::size() const { return account_ + works_ + vessel_sums_ + k_sums; }
 
-VecX ReferenceState::pack(const Bodies& bodies) const {
+VecX ReferenceState::pack(const bodies::Bodies& bodies) const {
   VecX y = VecX::Zero(size());
   Eigen::Index at = 0;
   for (const int k : free_) {
@@ -83,7 +83,7 @@ VecX ReferenceState::pack(const Bodies& bodies) const {
   return y;
 }
 
-void ReferenceState::unpack(double t, const VecX& y, Bodies& bodies) const {
+void ReferenceState::unpack(double t, const VecX& y, bodies::Bodies& bodies) const {
   Eigen::Index at = 0;
   for (const int k : free_) {
     const auto b = static_cast<std::size_t>(k);
@@ -110,7 +110,8 @@ void ReferenceState::add_account(const VecX& y, ReferenceAccount& account) const
   account.angular_scale += sums[k_scales + 1];
 }
 
-void ReferenceState::derivative(const Bodies& bodies, const VecX& y, const ReferenceLoads& loads, VecX& dy) const {
+void ReferenceState::derivative(const bodies::Bodies& bodies, const VecX& y, const ReferenceLoads& loads,
+                                VecX& dy) const {
   dy.setZero(size());
   auto sums = dy.tail<k_sums>();
   Eigen::Index at = 0;
@@ -143,7 +144,7 @@ void ReferenceState::derivative(const Bodies& bodies, const VecX& y, const Refer
   sums[k_scales + 1] = loads.moment_sum;
 }
 
-VecX ReferenceState::absolute_tolerances(const Bodies& bodies, double relative) const {
+VecX ReferenceState::absolute_tolerances(const bodies::Bodies& bodies, double relative) const {
   VecX tolerance = VecX::Constant(size(), relative);
   double mass = 0;
   Eigen::Index at = 0;
@@ -161,11 +162,11 @@ VecX ReferenceState::absolute_tolerances(const Bodies& bodies, double relative) 
   return tolerance;
 }
 
-std::pair<Vec3, Vec3> momenta(const Bodies& bodies, bool with_vessel) {
+std::pair<Vec3, Vec3> momenta(const bodies::Bodies& bodies, bool with_vessel) {
   Vec3 linear = Vec3::Zero(), angular = Vec3::Zero();
   for (int k = 0; k < bodies.size(); ++k) {
     const auto b = static_cast<std::size_t>(k);
-    if (!bodies.is_free(k) && !(with_vessel && bodies.motion[b] == Motion::articulated)) continue;
+    if (!bodies.is_free(k) && !(with_vessel && bodies.motion[b] == bodies::Motion::articulated)) continue;
     const Vec3 momentum = bodies.mass[b] * bodies.v_GB[b];
     linear += momentum;
     angular += bodies.p_GB[b].cross(momentum) + angular_momentum(bodies, b);
@@ -173,4 +174,4 @@ std::pair<Vec3, Vec3> momenta(const Bodies& bodies, bool with_vessel) {
   return {linear, angular};
 }
 
-}  // namespace nilas
+}  // namespace nilas::sim

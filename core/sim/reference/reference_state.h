@@ -9,17 +9,17 @@
 #include "core/bodies/module.h"
 #include "core/sim/reference/reference_vessel.h"
 
-namespace nilas {
+namespace nilas::sim {
 
 /// Loads on the vessel at one instant, or their impulses, frame G: hull and parts together, torques about the hull's
 /// centre of mass.
 struct ReferenceVesselLoads {
   Wrench contact, hydro;
   std::vector<Wrench> modules;  ///< one per entry of RunInfo::vessel_loads
-  Vec3 ice = Vec3::Zero();  ///< the contact force that floes exert
+  Vec3 ice = Vec3::Zero();      ///< the contact force that floes exert
   /// Contact load on each part about its centre of mass, contacts within the vessel included.
   std::vector<Wrench> on_parts;
-  std::optional<CarriageLoads> carriage;  ///< only for a towed vessel
+  std::optional<vessel::CarriageLoads> carriage;  ///< only for a towed vessel
 
   ReferenceVesselLoads(int num_parts, std::size_t num_modules, bool towed);
   Eigen::Index size() const;
@@ -29,7 +29,7 @@ struct ReferenceVesselLoads {
 
 /// All loads on the bodies at one instant.
 struct ReferenceLoads {
-  Wrenches total;              ///< load per body, contact included
+  bodies::Wrenches total;      ///< load per body, contact included
   std::vector<double> powers;  ///< power of each module that does work [W]
   double friction_power = 0;   ///< power lost to friction, >= 0 [W]
   double force_sum = 0;        ///< sum of the absolute forces of all sources, a scale [N]
@@ -54,18 +54,19 @@ struct ReferenceAccount {
 class ReferenceState {
  public:
   /// `vessel`: null where none moves. `sums`: loads on the scene's vessel, null without one.
-  ReferenceState(const Bodies& bodies, std::size_t works, ReferenceVessel* vessel, const ReferenceVesselLoads* sums);
+  ReferenceState(const bodies::Bodies& bodies, std::size_t works, ReferenceVessel* vessel,
+                 const ReferenceVesselLoads* sums);
 
   /// The present state of the bodies, with an empty account.
-  VecX pack(const Bodies& bodies) const;
+  VecX pack(const bodies::Bodies& bodies) const;
   /// Sets the bodies to the state y at the instant t [s].
-  void unpack(double t, const VecX& y, Bodies& bodies) const;
+  void unpack(double t, const VecX& y, bodies::Bodies& bodies) const;
   /// Adds the account in y.
   void add_account(const VecX& y, ReferenceAccount& account) const;
   /// The derivative of y under `loads`. `bodies` must be as unpacked from y.
-  void derivative(const Bodies& bodies, const VecX& y, const ReferenceLoads& loads, VecX& dy) const;
+  void derivative(const bodies::Bodies& bodies, const VecX& y, const ReferenceLoads& loads, VecX& dy) const;
   /// Absolute tolerances for the relative one, for poses and velocities of order one in metres and seconds.
-  VecX absolute_tolerances(const Bodies& bodies, double relative) const;
+  VecX absolute_tolerances(const bodies::Bodies& bodies, double relative) const;
 
  private:
   Eigen::Index size() const;
@@ -79,6 +80,6 @@ class ReferenceState {
 
 /// Linear momentum and angular momentum about G's origin of the free bodies, including the vessel if `with_vessel` [kg
 /// m/s, kg m^2/s].
-std::pair<Vec3, Vec3> momenta(const Bodies& bodies, bool with_vessel);
+std::pair<Vec3, Vec3> momenta(const bodies::Bodies& bodies, bool with_vessel);
 
-}  // namespace nilas
+}  // namespace nilas::sim

@@ -6,7 +6,7 @@
 #include "core/sim/step/step_book.h"
 #include "core/sim/world/load_axes.h"
 
-namespace nilas {
+namespace nilas::sim {
 
 /// Loads on the vessel: means over the step, but joint loads at its end.
 static VesselRecord vessel_record(World& world, ReferenceIntegrator& reference, const ReferenceVesselLoads& impulses) {
@@ -17,12 +17,12 @@ static VesselRecord vessel_record(World& world, ReferenceIntegrator& reference, 
   VesselRecord vessel;
   if (reference.has_vessel()) {
     const auto b = static_cast<std::size_t>(parts.vessel_index);
-    const Bodies& bodies = parts.bodies;
+    const bodies::Bodies& bodies = parts.bodies;
     parts.vessel->follow(world.time(), {{bodies.q_GB[b], bodies.p_GB[b]}, bodies.v_GB[b], bodies.w_GB[b]},
                          reference.parts_now(world.time()));
   }
   for (std::size_t k = 0; k < impulses.on_parts.size(); ++k) {
-    const PartState& part = parts.vessel->parts()[k];
+    const vessel::PartState& part = parts.vessel->parts()[k];
     vessel.parts.push_back({part.joint, mean(impulses.on_parts[k]), part.coordinates, part.rates, part.unbalanced_force,
                             part.unbalanced_torque});
   }
@@ -30,7 +30,7 @@ static VesselRecord vessel_record(World& world, ReferenceIntegrator& reference, 
   vessel.ice = impulses.ice / world.step;
   vessel.touches_ice = !impulses.ice.isZero(0);
   if (impulses.carriage) {
-    CarriageLoads& carriage = vessel.carriage.emplace();
+    vessel::CarriageLoads& carriage = vessel.carriage.emplace();
     carriage = {mean(impulses.carriage->about_com), mean(impulses.carriage->about_joint), impulses.carriage->cells, {}};
     for (double& cell : carriage.cells) cell /= world.step;
     vessel.has_cells = parts.info.has_cells;
@@ -45,7 +45,7 @@ static VesselRecord vessel_record(World& world, ReferenceIntegrator& reference, 
 StepRecord take_reference_step(World& world, ReferenceIntegrator& reference) {
   StepRecord record;
   Stopwatch watch(record.ms);
-  const Bodies& bodies = world.parts.bodies;
+  const bodies::Bodies& bodies = world.parts.bodies;
   const bool with_vessel = reference.accounts_for_vessel();
   const auto [linear, angular] = momenta(bodies, with_vessel);
   const double t0 = world.time();
@@ -56,7 +56,7 @@ StepRecord take_reference_step(World& world, ReferenceIntegrator& reference) {
   record.contacts = done.contacts;
   record.residuals = done.residuals;
   world.solved.clear();
-  SolvedProblem& last = world.solved.emplace_back(std::move(done.impact));
+  contact::SolvedProblem& last = world.solved.emplace_back(std::move(done.impact));
   last.solution.status = done.status;
   last.solution.iterations = done.iterations;
   last.solution.message = done.message;
@@ -78,4 +78,4 @@ StepRecord take_reference_step(World& world, ReferenceIntegrator& reference) {
   return record;
 }
 
-}  // namespace nilas
+}  // namespace nilas::sim

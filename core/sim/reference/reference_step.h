@@ -4,9 +4,9 @@
 #include "core/sim/reference/reference.h"
 #include "core/sim/world/world_state.h"
 
-namespace nilas {
+namespace nilas::sim {
 
 /// Advances the world by its step with `reference`, which moves the bodies of this world. Throws SimulationError.
 StepRecord take_reference_step(World& world, ReferenceIntegrator& reference);
 
-}  // namespace nilas
+}  // namespace nilas::sim

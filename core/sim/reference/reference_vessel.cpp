@@ -6,12 +6,12 @@
 #include "core/base/error.h"
 #include "core/vessel/tree/carried_vessel.h"
 
-namespace nilas {
+namespace nilas::sim {
 
-ReferenceVessel::ReferenceVessel(const VesselModel& model, int hull, double t0, const VecX& start)
+ReferenceVessel::ReferenceVessel(const vessel::VesselModel& model, int hull, double t0, const VecX& start)
     : tree_(model), hull_(hull) {
   if (!model.carriage) return;
-  const std::vector<int> axes = carriage_joint(model).axes;
+  const std::vector<int> axes = vessel::carriage_joint(model).axes;
   has_three_angles_ = axes.size() >= 3 && axes[2] == 2;
   carriage_.emplace(*model.carriage);
   carriage_->begin_stretch(t0);
@@ -30,13 +30,13 @@ double ReferenceVessel::stretch_end() const {
   return carriage_ ? carriage_->stretch_end() : std::numeric_limits<double>::infinity();
 }
 
-void ReferenceVessel::enter_next_stretch(Bodies& bodies) {
+void ReferenceVessel::enter_next_stretch(bodies::Bodies& bodies) {
   const double t = carriage_->stretch_end();
   carriage_->go_to(t);
-  const CarriageMotion::State before = carriage_->now();
+  const vessel::CarriageMotion::State before = carriage_->now();
   carriage_->begin_stretch(t);
-  const CarriageMotion::State& after = carriage_->now();
-  CarriageMotion::State change;
+  const vessel::CarriageMotion::State& after = carriage_->now();
+  vessel::CarriageMotion::State change;
   change.v = after.v - before.v;
   change.yaw_rate = after.yaw_rate - before.yaw_rate;
   // Both speeds are only known to rounding.
@@ -46,7 +46,7 @@ void ReferenceVessel::enter_next_stretch(Bodies& bodies) {
     return;
   // Poses do not change during the impulse, and springs give no impulse.
   const VecX u = tree_.speeds();
-  CarriageMotion::State stopped = after;
+  vessel::CarriageMotion::State stopped = after;
   stopped.v.setZero();
   stopped.yaw_rate = 0;
   tree_.set_carriage(stopped);
@@ -56,7 +56,7 @@ void ReferenceVessel::enter_next_stretch(Bodies& bodies) {
   set_speeds(u + jump, bodies);
 }
 
-CarriageLoads ReferenceVessel::carriage_loads(const Wrenches& loads) {
+vessel::CarriageLoads ReferenceVessel::carriage_loads(const bodies::Wrenches& loads) {
   Wrench held = tree_.joint_loads(accelerations(loads), carriage_acceleration(), of_vessel(loads)).front();
   const Vec3 com = tree_.pose(0).p;
   held.torque += (tree_.joint_point(0) - com).cross(held.force);
@@ -78,13 +78,13 @@ VecX ReferenceVessel::state() const {
   return y;
 }
 
-void ReferenceVessel::set_state(const VecX& y, Bodies& bodies) {
+void ReferenceVessel::set_state(const VecX& y, bodies::Bodies& bodies) {
   tree_.set_coordinates(y.head(y.size() - tree_.num_speeds()));
   tree_.set_speeds(y.tail(tree_.num_speeds()));
   copy_to(bodies);
 }
 
-void ReferenceVessel::copy_to(Bodies& bodies) const {
+void ReferenceVessel::copy_to(bodies::Bodies& bodies) const {
   for (int k = 0; k < tree_.num_bodies(); ++k) {
     const auto b = static_cast<std::size_t>(hull_ + k);
     const Pose pose = tree_.pose(k);
@@ -101,13 +101,13 @@ VecX ReferenceVessel::state_rate(const VecX& accelerations) const {
   return rate;
 }
 
-std::vector<Wrench> ReferenceVessel::of_vessel(const Wrenches& loads) const {
+std::vector<Wrench> ReferenceVessel::of_vessel(const bodies::Wrenches& loads) const {
   const auto first = loads.begin() + hull_;
   return {first, first + tree_.num_bodies()};
 }
 
-CarriageMotion::State ReferenceVessel::carriage_acceleration() const {
-  return carriage_ ? carriage_->acceleration() : CarriageMotion::State{};
+vessel::CarriageMotion::State ReferenceVessel::carriage_acceleration() const {
+  return carriage_ ? carriage_->acceleration() : vessel::CarriageMotion::State{};
 }
 
 /// Spring and damper forces on the speeds of the tree.
@@ -115,7 +115,7 @@ VecX ReferenceVessel::joint_forces() const {
   return -tree_.stiffness().cwiseProduct(tree_.stretch()) - tree_.damping().cwiseProduct(tree_.speeds());
 }
 
-VecX ReferenceVessel::accelerations(const Wrenches& loads) const {
+VecX ReferenceVessel::accelerations(const bodies::Wrenches& loads) const {
   return response(tree_.force(of_vessel(loads), carriage_acceleration()) + joint_forces() + tree_.cell_force());
 }
 
@@ -126,7 +126,7 @@ Vec6 ReferenceVessel::twist_rate(int body, const VecX& accelerations) const {
 Vec6 ReferenceVessel::bias(int body) const {
   Vec6 bias = tree_.twist_bias(body - hull_);
   if (!carriage_) return bias;
-  const CarriageMotion::State& acceleration = carriage_->acceleration();
+  const vessel::CarriageMotion::State& acceleration = carriage_->acceleration();
   const Vec3 turn = acceleration.yaw_rate * Vec3::UnitZ();
   bias.head<3>() += acceleration.v + turn.cross(tree_.pose(body - hull_).p - carriage_->now().p);
   bias.tail<3>() += turn;
@@ -142,24 +142,26 @@ VecX ReferenceVessel::response(const VecX& impulse) const {
   return tree_.mass_matrix().llt().solve(impulse);
 }
 
-void ReferenceVessel::set_speeds(const VecX& u, Bodies& bodies) {
+void ReferenceVessel::set_speeds(const VecX& u, bodies::Bodies& bodies) {
   tree_.set_speeds(u);
   copy_to(bodies);
 }
 
-void ReferenceVessel::add_to_speeds(const VecX& change, Bodies& bodies) { set_speeds(tree_.speeds() + change, bodies); }
+void ReferenceVessel::add_to_speeds(const VecX& change, bodies::Bodies& bodies) {
+  set_speeds(tree_.speeds() + change, bodies);
+}
 
-ArticulatedBlock ReferenceVessel::block(const VecX& speeds) const {
-  ArticulatedBlock block{{}, tree_.mass_matrix(), {}};
+contact::ArticulatedBlock ReferenceVessel::block(const VecX& speeds) const {
+  contact::ArticulatedBlock block{{}, tree_.mass_matrix(), {}};
   block.f = block.mass * speeds;
   for (int k = 0; k < tree_.num_bodies(); ++k) block.bodies.push_back({hull_ + k, tree_.jacobian(k)});
   return block;
 }
 
-ArticulatedBlock ReferenceVessel::velocity_block() const {
-  ArticulatedBlock block = this->block(tree_.speeds());
+contact::ArticulatedBlock ReferenceVessel::velocity_block() const {
+  contact::ArticulatedBlock block = this->block(tree_.speeds());
   for (int k = 0; k < tree_.num_bodies(); ++k) {
-    ArticulatedBody& body = block.bodies[k];
+    contact::ArticulatedBody& body = block.bodies[k];
     body.prescribed = tree_.twist(k) - body.jacobian * tree_.speeds();
   }
   return block;
@@ -167,17 +169,17 @@ ArticulatedBlock ReferenceVessel::velocity_block() const {
 
 double ReferenceVessel::joint_power() const { return joint_forces().dot(tree_.speeds()); }
 
-std::vector<PartState> ReferenceVessel::parts(const Wrenches& loads) {
+std::vector<vessel::PartState> ReferenceVessel::parts(const bodies::Wrenches& loads) {
   const std::vector<Wrench> given = of_vessel(loads);
   const VecX found = accelerations(loads);
   const std::vector<Wrench> joints = tree_.joint_loads(found, carriage_acceleration(), given),
                             net = tree_.net_loads(joints);
-  std::vector<PartState> parts;
+  std::vector<vessel::PartState> parts;
   for (int k = 1; k < tree_.num_bodies(); ++k) {
     const auto b = static_cast<std::size_t>(k);
     const Vec6 twist = tree_.twist(k), rate = twist_rate(hull_ + k, found);
     const Mat3 inertia = tree_.inertia_G(k);
-    PartState part;
+    vessel::PartState part;
     part.state = {tree_.pose(k), twist.head<3>(), twist.tail<3>()};
     part.joint = joints[b];
     part.coordinates = tree_.part_coordinates(k - 1);
@@ -191,4 +193,4 @@ std::vector<PartState> ReferenceVessel::parts(const Wrenches& loads) {
   return parts;
 }
 
-}  // namespace nilas
+}  // namespace nilas::sim

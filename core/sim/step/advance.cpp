@@ -3,9 +3,10 @@
 #include "core/base/parallel.h"
 #include "core/bodies/free_rotation.h"
 
-namespace nilas {
+namespace nilas::sim {
 
-void free_velocities(const Bodies& bodies, const std::vector<Wrench>& loads, double h, Velocities& out) {
+void free_velocities(const bodies::Bodies& bodies, const std::vector<Wrench>& loads, double h,
+                     contact::Velocities& out) {
   out.v = bodies.v_GB;
   out.w = bodies.w_GB;
   for (int k = 0; k < bodies.size(); ++k) {
@@ -17,7 +18,7 @@ void free_velocities(const Bodies& bodies, const std::vector<Wrench>& loads, dou
   }
 }
 
-void advance(Bodies& bodies, const Velocities& velocities, double h, bool gyroscopic, int threads) {
+void advance(bodies::Bodies& bodies, const contact::Velocities& velocities, double h, bool gyroscopic, int threads) {
   parallel_for(bodies.size(), threads, [&](std::ptrdiff_t i) {
     const int k = static_cast<int>(i);
     if (!bodies.is_free(k)) return;
@@ -25,20 +26,20 @@ void advance(Bodies& bodies, const Velocities& velocities, double h, bool gyrosc
     bodies.v_GB[b] = velocities.v[b];
     bodies.w_GB[b] = velocities.w[b];
     if (gyroscopic)
-      turn_freely(bodies.q_GB[b], bodies.w_GB[b], bodies.inertia_B[b], bodies.inertia_inverse_B[b], h);
+      bodies::turn_freely(bodies.q_GB[b], bodies.w_GB[b], bodies.inertia_B[b], bodies.inertia_inverse_B[b], h);
     else
-      bodies.q_GB[b] = exponential(h * velocities.w[b]) * bodies.q_GB[b];
+      bodies.q_GB[b] = bodies::exponential(h * velocities.w[b]) * bodies.q_GB[b];
     bodies.set_pose(k, bodies.p_GB[b] + h * velocities.v[b], bodies.q_GB[b]);
   });
 }
 
-void displace(Bodies& bodies, const Velocities& pseudo, double h) {
+void displace(bodies::Bodies& bodies, const contact::Velocities& pseudo, double h) {
   for (int k = 0; k < bodies.size(); ++k) {
     if (!bodies.is_free(k)) continue;
     const auto b = static_cast<std::size_t>(k);
     if (pseudo.v[b].isZero(0) && pseudo.w[b].isZero(0)) continue;
-    bodies.set_pose(k, bodies.p_GB[b] + h * pseudo.v[b], exponential(h * pseudo.w[b]) * bodies.q_GB[b]);
+    bodies.set_pose(k, bodies.p_GB[b] + h * pseudo.v[b], bodies::exponential(h * pseudo.w[b]) * bodies.q_GB[b]);
   }
 }
 
-}  // namespace nilas
+}  // namespace nilas::sim

@@ -3,17 +3,18 @@
 #include "contact/step_motion.h"
 #include "core/bodies/bodies.h"
 
-namespace nilas {
+namespace nilas::sim {
 
 /// Velocity step of the free bodies without contact: v + h F/m and, with L = I w, I w' = L + h T. (The gyroscopic term
 /// is in advance(), which conserves L while the attitude changes.)
-void free_velocities(const Bodies& bodies, const std::vector<Wrench>& loads, double h, Velocities& out);
+void free_velocities(const bodies::Bodies& bodies, const std::vector<Wrench>& loads, double h,
+                     contact::Velocities& out);
 
 /// Moves every free body over h [s] with the given velocities. `gyroscopic`: by turn_freely() of core/bodies, which
 /// keeps angular momentum and energy of rotation; else the angular velocity is kept.
-void advance(Bodies& bodies, const Velocities& velocities, double h, bool gyroscopic, int threads);
+void advance(bodies::Bodies& bodies, const contact::Velocities& velocities, double h, bool gyroscopic, int threads);
 
 /// Moves free bodies by pseudo velocities over h [s]; their own velocities do not change.
-void displace(Bodies& bodies, const Velocities& pseudo, double h);
+void displace(bodies::Bodies& bodies, const contact::Velocities& pseudo, double h);
 
-}  // namespace nilas
+}  // namespace nilas::sim

@@ -4,7 +4,7 @@
 #include "core/sim/step/fast_bodies.h"
 #include "core/sim/step/substep_plan.h"
 
-namespace nilas {
+namespace nilas::sim {
 
 static bool may_pass_before_impulses(const World& world) {
   return world.model.theta < 1 && world.model.detection == Detection::continuous;
@@ -12,7 +12,7 @@ static bool may_pass_before_impulses(const World& world) {
 
 /// The longest length up to `longest` [s] in which no bodies pass through each other before the impulses.
 static double passable_length(World& world, double t, double longest) {
-  const Bodies& bodies = world.parts.bodies;
+  const bodies::Bodies& bodies = world.parts.bodies;
   double h = longest;
   if (!may_pass_before_impulses(world)) return h;
   while (const auto pair = passing_bodies(world, {bodies.v_GB, bodies.w_GB}, (1 - world.model.theta) * h)) {
@@ -25,12 +25,12 @@ static double passable_length(World& world, double t, double longest) {
 static std::optional<BeforeMotion> before_motion(World& world) {
   if (!may_pass_before_impulses(world)) return std::nullopt;
   for (const auto& module : world.parts.modules) module->remember();
-  const Bodies& bodies = world.parts.bodies;
+  const bodies::Bodies& bodies = world.parts.bodies;
   return BeforeMotion{bodies.p_GB, bodies.v_GB, bodies.w_GB, bodies.q_GB, bodies.R_GB, world.energy};
 }
 
 SubstepStart begin_substep(World& world, double t, double longest) {
-  Bodies& bodies = world.parts.bodies;
+  bodies::Bodies& bodies = world.parts.bodies;
   const double theta = world.model.theta;
   SubstepStart start;
   start.h = passable_length(world, t, longest);
@@ -52,7 +52,7 @@ SubstepStart begin_substep(World& world, double t, double longest) {
 void take_back(World& world, const SubstepStart& start) {
   abandon_vessel_step(world);
   if (!start.to_undo) return;
-  Bodies& bodies = world.parts.bodies;
+  bodies::Bodies& bodies = world.parts.bodies;
   bodies.p_GB = start.to_undo->p;
   bodies.v_GB = start.to_undo->v;
   bodies.w_GB = start.to_undo->w;
@@ -62,4 +62,4 @@ void take_back(World& world, const SubstepStart& start) {
   for (const auto& module : world.parts.modules) module->go_back();
 }
 
-}  // namespace nilas
+}  // namespace nilas::sim

@@ -7,7 +7,7 @@
 #include "core/sim/step/vessel_step.h"
 #include "core/sim/world/world_state.h"
 
-namespace nilas {
+namespace nilas::sim {
 
 /// Bodies and energies before that motion.
 struct BeforeMotion {
@@ -31,4 +31,4 @@ SubstepStart begin_substep(World& world, double t, double longest);
 /// Restores the world that begin_substep() found.
 void take_back(World& world, const SubstepStart& start);
 
-}  // namespace nilas
+}  // namespace nilas::sim

@@ -8,15 +8,15 @@
 #include "core/sim/step/find_contacts.h"
 #include "core/sim/step/solve_contacts.h"
 
-namespace nilas {
+namespace nilas::sim {
 
 namespace {
 
 /// The vessel as a block without coordinates that continues with its present motion.
-std::vector<ArticulatedBlock> vessel_as_it_moves(const World& world, const Velocities& velocities) {
+std::vector<contact::ArticulatedBlock> vessel_as_it_moves(const World& world, const contact::Velocities& velocities) {
   const WorldParts& parts = world.parts;
   if (!parts.vessel || parts.vessel->fixed()) return {};
-  ArticulatedBlock block;
+  contact::ArticulatedBlock block;
   for (int body = parts.vessel_index; parts.is_of_vessel(body); ++body) {
     const auto b = static_cast<std::size_t>(body);
     Vec6 twist;
@@ -27,18 +27,21 @@ std::vector<ArticulatedBlock> vessel_as_it_moves(const World& world, const Veloc
 }
 
 /// The velocities at the end of a substep of this length, without the impacts still to come.
-Velocities velocities_until_impact(World& world, const Loads& loads, const Substep& substep) {
-  const Bodies& bodies = world.parts.bodies;
-  Velocities velocities;
+contact::Velocities velocities_until_impact(World& world, const Loads& loads, const Substep& substep) {
+  const bodies::Bodies& bodies = world.parts.bodies;
+  contact::Velocities velocities;
   free_velocities(bodies, loads.total, substep.h, velocities);
-  if (fast_pairs(bodies, {velocities.v, velocities.w, substep.h}, world.width, k_fast_share).empty()) return velocities;
+  if (detect::fast_pairs(bodies, {velocities.v, velocities.w, substep.h}, world.width, k_fast_share).empty())
+    return velocities;
   FoundContacts found = find_contacts(world, loads, substep);
   add_module_contacts(world, substep, found.points);
   if (found.points.empty()) return velocities;
-  AssembledContacts contacts = assemble(bodies, loads.total, found.points, world.parts.friction,
-                                        world.model.assembly_over(substep.h), vessel_as_it_moves(world, velocities));
-  const PreparedProblem prepared(contacts.problem);
-  const ContactSolution solution = world.model.solve(contacts.problem, prepared, VecX(), world.slipping).solution;
+  contact::AssembledContacts contacts =
+      contact::assemble(bodies, loads.total, found.points, world.parts.friction, world.model.assembly_over(substep.h),
+                        vessel_as_it_moves(world, velocities));
+  const contact::PreparedProblem prepared(contacts.problem);
+  const contact::ContactSolution solution =
+      world.model.solve(contacts.problem, prepared, VecX(), world.slipping).solution;
   return new_velocities(world, contacts, solution, loads, substep.h);
 }
 
@@ -54,8 +57,8 @@ Substep choose_substep(World& world, const Loads& loads, double t, double longes
   constexpr int k_most_passes = 20;
   for (int pass = 0; pass < k_most_passes; ++pass) {
     double first = longest;
-    const Velocities velocities = velocities_until_impact(world, loads, {t, h, true});
-    for (const SweptPair& pair : sweep(world, velocities, h, longest))
+    const contact::Velocities velocities = velocities_until_impact(world, loads, {t, h, true});
+    for (const detect::SweptPair& pair : sweep(world, velocities, h, longest))
       if (pair.first.hit && pair.first.t * longest >= shortest) first = std::min(first, pair.first.t * longest);
     if (longest - first < shortest) return {t, longest, false};
     if (std::abs(first - h) <= k_instant * world.step) return {t, first, first < longest};
@@ -64,4 +67,4 @@ Substep choose_substep(World& world, const Loads& loads, double t, double longes
   return {t, h, h < longest};
 }
 
-}  // namespace nilas
+}  // namespace nilas::sim

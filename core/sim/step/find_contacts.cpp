@@ -7,7 +7,7 @@
 #include "core/sim/step/advance.h"
 #include "core/sim/step/fast_bodies.h"
 
-namespace nilas {
+namespace nilas::sim {
 
 namespace {
 
@@ -21,46 +21,48 @@ PartNames names(const OfParts& x) {
   return {x.a, x.b, x.part_a, x.part_b};
 }
 
-double thinner(const World& world, const ContactPoint& c) { return std::min(world.width[c.a], world.width[c.b]); }
-
-std::vector<ContactPoint> detect_within_reach(World& world, const Loads& loads, const Substep& substep) {
-  const Bodies& bodies = world.parts.bodies;
-  return world.detector.detect(bodies, own_reach(bodies, loads.total, substep.h, k_reach_share), world.model.margin,
-                               pairs_left_out(world));
+double thinner(const World& world, const detect::ContactPoint& c) {
+  return std::min(world.width[c.a], world.width[c.b]);
 }
 
-std::vector<ContactPoint> detect_discrete(World& world, const Loads& loads, const Substep& substep) {
+std::vector<detect::ContactPoint> detect_within_reach(World& world, const Loads& loads, const Substep& substep) {
+  const bodies::Bodies& bodies = world.parts.bodies;
+  return world.detector.detect(bodies, detect::own_reach(bodies, loads.total, substep.h, k_reach_share),
+                               world.model.margin, pairs_left_out(world));
+}
+
+std::vector<detect::ContactPoint> detect_discrete(World& world, const Loads& loads, const Substep& substep) {
   if (world.model.margin > 0)
     return world.detector.detect(world.parts.bodies, world.model.margin, pairs_left_out(world));
-  std::vector<ContactPoint> points = detect_within_reach(world, loads, substep);
-  std::erase_if(points, [&](const ContactPoint& c) { return c.gap > thinner(world, c); });
+  std::vector<detect::ContactPoint> points = detect_within_reach(world, loads, substep);
+  std::erase_if(points, [&](const detect::ContactPoint& c) { return c.gap > thinner(world, c); });
   return points;
 }
 
 /// Gives fast pairs that do not touch yet the contacts on their paths in place of those at the substep's start. In a
 /// substep that ends with an impact they have none, except those too early to cut at.
 void follow_fast_pairs(World& world, const Loads& loads, const Substep& substep, FoundContacts& found) {
-  const Bodies& bodies = world.parts.bodies;
-  std::vector<ContactPoint>& points = found.points;
+  const bodies::Bodies& bodies = world.parts.bodies;
+  std::vector<detect::ContactPoint>& points = found.points;
   // Only a fast pair can close a larger gap, and that happens at the substep's end.
   if (substep.ends_with_impact)
-    std::erase_if(points, [&](const ContactPoint& c) { return c.gap > k_fast_share * thinner(world, c); });
-  Velocities velocities;
+    std::erase_if(points, [&](const detect::ContactPoint& c) { return c.gap > k_fast_share * thinner(world, c); });
+  contact::Velocities velocities;
   free_velocities(bodies, loads.total, substep.h, velocities);
-  const FastMotion motion{velocities.v, velocities.w, substep.h};
-  if (!any_fast(bodies, motion, world.width, k_fast_share)) return;
-  const std::vector<SweptPair> swept = sweep(world, velocities, substep.h, substep.h);
+  const detect::FastMotion motion{velocities.v, velocities.w, substep.h};
+  if (!detect::any_fast(bodies, motion, world.width, k_fast_share)) return;
+  const std::vector<detect::SweptPair> swept = sweep(world, velocities, substep.h, substep.h);
   std::vector<PartNames> touching;
-  for (const SweptPair& pair : swept)
+  for (const detect::SweptPair& pair : swept)
     if (pair.first.hit && pair.first.t == 0) touching.push_back(names(pair));
-  std::erase_if(points, [&](const ContactPoint& c) {
-    return c.gap > 0 && is_fast(bodies, motion, world.width, k_fast_share, c.a, c.b) &&
+  std::erase_if(points, [&](const detect::ContactPoint& c) {
+    return c.gap > 0 && detect::is_fast(bodies, motion, world.width, k_fast_share, c.a, c.b) &&
            !std::binary_search(touching.begin(), touching.end(), names(c));
   });
-  for (const SweptPair& pair : swept) {
+  for (const detect::SweptPair& pair : swept) {
     if (!pair.first.hit || pair.first.t == 0) continue;
     if (substep.ends_with_impact && pair.first.t * substep.h >= k_shortest_cut * world.step) continue;
-    for (const ContactPoint& met : pair.points) {
+    for (const detect::ContactPoint& met : pair.points) {
       points.push_back(as_gap(world, met, pair.first.t, velocities, substep.h));
       found.met_on_path.push_back(met.key);
     }
@@ -70,8 +72,8 @@ void follow_fast_pairs(World& world, const Loads& loads, const Substep& substep,
 
 /// Whether a contact bounces, by the criterion of assemble(): approach slower than the threshold ends a series of
 /// bounces. A body that could be half through another when they meet bounces at once.
-bool will_bounce_when_met(const World& world, const ContactPoint& c, double h) {
-  const Bodies& bodies = world.parts.bodies;
+bool will_bounce_when_met(const World& world, const detect::ContactPoint& c, double h) {
+  const bodies::Bodies& bodies = world.parts.bodies;
   const double before = c.n.dot(bodies.velocity_at(c.b, c.p) - bodies.velocity_at(c.a, c.p));
   if (before >= -world.model.assembly.restitution_threshold) return false;
   constexpr double k_deepest_share = 0.5;
@@ -81,8 +83,8 @@ bool will_bounce_when_met(const World& world, const ContactPoint& c, double h) {
 
 }  // namespace
 
-void sort_as_detected(std::vector<ContactPoint>& points) {
-  std::sort(points.begin(), points.end(), [](const ContactPoint& p, const ContactPoint& q) {
+void sort_as_detected(std::vector<detect::ContactPoint>& points) {
+  std::sort(points.begin(), points.end(), [](const detect::ContactPoint& p, const detect::ContactPoint& q) {
     return std::tuple(names(p), p.key) < std::tuple(names(q), q.key);
   });
 }
@@ -104,16 +106,17 @@ FoundContacts find_contacts(World& world, const Loads& loads, const Substep& sub
   // Impulses act in the middle of the motion: a bouncing point must have no impulse before it touches. A bounce is then
   // symmetric in time.
   if (world.model.hit_when_met)
-    std::erase_if(found.points,
-                  [&](const ContactPoint& c) { return c.gap > 0 && will_bounce_when_met(world, c, substep.h); });
+    std::erase_if(found.points, [&](const detect::ContactPoint& c) {
+      return c.gap > 0 && will_bounce_when_met(world, c, substep.h);
+    });
   return found;
 }
 
-void add_module_contacts(World& world, const Substep& substep, std::vector<ContactPoint>& points) {
+void add_module_contacts(World& world, const Substep& substep, std::vector<detect::ContactPoint>& points) {
   const std::size_t rigid = points.size();
   for (const auto& module : world.parts.modules) {
     if (!module->owns_pairs()) continue;
-    BodyPairs near = world.detector.pairs_left();
+    bodies::BodyPairs near = world.detector.pairs_left();
     std::erase_if(near, [&](const auto& pair) {
       return world.parts.are_joined(pair.first, pair.second) || !module->owns_pair(pair.first, pair.second);
     });
@@ -122,22 +125,25 @@ void add_module_contacts(World& world, const Substep& substep, std::vector<Conta
   if (points.size() > rigid) sort_as_detected(points);
 }
 
-ContactPoint as_gap(const World& world, const ContactPoint& met, double t, const Velocities& velocities, double h) {
-  const Bodies& bodies = world.parts.bodies;
+detect::ContactPoint as_gap(const World& world, const detect::ContactPoint& met, double t,
+                            const contact::Velocities& velocities, double h) {
+  const bodies::Bodies& bodies = world.parts.bodies;
   const auto a = static_cast<std::size_t>(met.a), b = static_cast<std::size_t>(met.b);
   const auto path = [&](std::size_t k) -> Vec3 {
-    return bodies.motion[k] == Motion::fixed ? Vec3(Vec3::Zero()) : Vec3(t * h * velocities.v[k]);
+    return bodies.motion[k] == bodies::Motion::fixed ? Vec3(Vec3::Zero()) : Vec3(t * h * velocities.v[k]);
   };
-  const auto turn = [&](std::size_t k) { return bodies.motion[k] == Motion::fixed ? 0 : velocities.w[k].norm(); };
+  const auto turn = [&](std::size_t k) {
+    return bodies.motion[k] == bodies::Motion::fixed ? 0 : velocities.w[k].norm();
+  };
   double share_b = 0.5;  // one point serves both bodies: the arm is exact for the one that turns, or moves at all
-  if (bodies.motion[a] == Motion::fixed || bodies.motion[b] == Motion::fixed)
-    share_b = bodies.motion[a] == Motion::fixed ? 1 : 0;
+  if (bodies.motion[a] == bodies::Motion::fixed || bodies.motion[b] == bodies::Motion::fixed)
+    share_b = bodies.motion[a] == bodies::Motion::fixed ? 1 : 0;
   else if (turn(a) + turn(b) > 0)
     share_b = turn(b) / (turn(a) + turn(b));
-  ContactPoint point = met;
+  detect::ContactPoint point = met;
   const auto speed = [&] {
     const auto velocity = [&](std::size_t k) -> Vec3 {
-      if (bodies.motion[k] == Motion::fixed) return Vec3::Zero();
+      if (bodies.motion[k] == bodies::Motion::fixed) return Vec3::Zero();
       return velocities.v[k] + velocities.w[k].cross(point.p - bodies.p_GB[k]);
     };
     return met.n.dot(velocity(b) - velocity(a));
@@ -150,4 +156,4 @@ ContactPoint as_gap(const World& world, const ContactPoint& met, double t, const
   return point;
 }
 
-}  // namespace nilas
+}  // namespace nilas::sim

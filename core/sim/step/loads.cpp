@@ -2,13 +2,13 @@
 
 #include "core/base/error.h"
 
-namespace nilas {
+namespace nilas::sim {
 
 Loads evaluate_loads(World& world, double t, double h) {
-  const Bodies& bodies = world.parts.bodies;
+  const bodies::Bodies& bodies = world.parts.bodies;
   Loads loads{world.weight, {}};
-  for (Module* module : world.parts.forces) {
-    Wrenches& own = loads.by_module.emplace_back(world.size());
+  for (bodies::Module* module : world.parts.forces) {
+    bodies::Wrenches& own = loads.by_module.emplace_back(world.size());
     module->add_forces(bodies, t + (1 - world.model.theta) * h, own);
     module->limit(bodies, h, own);
     for (std::size_t b = 0; b < world.size(); ++b) loads.total[b] += own[b];
@@ -20,4 +20,4 @@ Loads evaluate_loads(World& world, double t, double h) {
   return loads;
 }
 
-}  // namespace nilas
+}  // namespace nilas::sim

@@ -8,21 +8,22 @@
 #include "core/sim/step/advance.h"
 #include "core/sim/step/fast_bodies.h"
 
-namespace nilas {
+namespace nilas::sim {
 
 namespace {
 
-void add_couples(const AssembledContacts& contacts, const ContactSolution& solution, StepMotion& motion) {
+void add_couples(const contact::AssembledContacts& contacts, const contact::ContactSolution& solution,
+                 contact::StepMotion& motion) {
   motion.couples.assign(motion.points.size(), Vec3::Zero());
   for (std::size_t c = motion.points.size(); c < contacts.C.size(); ++c)
-    motion.couples[contacts.problem.moments[c].contact] = contacts.C[c] * solution.r.segment<3>(row_of(c));
+    motion.couples[contacts.problem.moments[c].contact] = contacts.C[c] * solution.r.segment<3>(contact::row_of(c));
 }
 
-StepMotion velocity_step(const World& world, const Loads& loads, const Substep& substep, SolvedContacts& solved,
-                         const VesselStart& vessel) {
-  const Bodies& bodies = world.parts.bodies;
-  const AssembledContacts& contacts = solved.contacts;
-  StepMotion motion;
+contact::StepMotion velocity_step(const World& world, const Loads& loads, const Substep& substep,
+                                  SolvedContacts& solved, const VesselStart& vessel) {
+  const bodies::Bodies& bodies = world.parts.bodies;
+  const contact::AssembledContacts& contacts = solved.contacts;
+  contact::StepMotion motion;
   motion.h = substep.h;
   motion.p = bodies.p_GB;
   motion.R = bodies.R_GB;
@@ -34,7 +35,7 @@ StepMotion velocity_step(const World& world, const Loads& loads, const Substep& 
   }
   motion.points = std::move(solved.found.points);
   for (std::size_t i = 0; i < motion.points.size(); ++i) {
-    const Vec3 r = solved.solution.r.segment<3>(row_of(i));
+    const Vec3 r = solved.solution.r.segment<3>(contact::row_of(i));
     motion.impulses.emplace_back(contacts.C[i] * r);
     motion.normal_impulses.emplace_back(contacts.C[i].col(0) * r[0]);
   }
@@ -46,18 +47,18 @@ StepMotion velocity_step(const World& world, const Loads& loads, const Substep& 
 
 /// The contact points at the substep's end. Those of fast pairs are where they were found, because the bodies' rotation
 /// would carry them elsewhere.
-std::vector<ContactPoint> points_at_the_end(const World& world, const Substep& substep, const FoundContacts& found,
-                                            const StepMotion& motion) {
-  const Bodies& bodies = world.parts.bodies;
-  std::vector<ContactPoint> points = carried_points(motion, bodies);
-  const FastMotion after{motion.after.v, motion.after.w, substep.h};
+std::vector<detect::ContactPoint> points_at_the_end(const World& world, const Substep& substep,
+                                                    const FoundContacts& found, const contact::StepMotion& motion) {
+  const bodies::Bodies& bodies = world.parts.bodies;
+  std::vector<detect::ContactPoint> points = contact::carried_points(motion, bodies);
+  const detect::FastMotion after{motion.after.v, motion.after.w, substep.h};
   if (world.model.detection != Detection::continuous) return points;
-  if (found.met_on_path.empty() && !any_fast(bodies, after, world.width, k_fast_share)) return points;
+  if (found.met_on_path.empty() && !detect::any_fast(bodies, after, world.width, k_fast_share)) return points;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const ContactPoint& start = motion.points[i];
+    const detect::ContactPoint& start = motion.points[i];
     const bool met =
         std::find(found.met_on_path.begin(), found.met_on_path.end(), start.key) != found.met_on_path.end();
-    if (!met && !is_fast(bodies, after, world.width, k_fast_share, start.a, start.b)) continue;
+    if (!met && !detect::is_fast(bodies, after, world.width, k_fast_share, start.a, start.b)) continue;
     points[i] = start;
     points[i].gap = std::min(start.gap, 0.0);
   }
@@ -66,36 +67,37 @@ std::vector<ContactPoint> points_at_the_end(const World& world, const Substep& s
 
 /// Sets the gap of points to zero that their own motion closes: lifted out as well, a deep point would gain height in
 /// every bounce.
-void leave_to_their_motion(const StepMotion& motion, std::vector<ContactPoint>& points) {
+void leave_to_their_motion(const contact::StepMotion& motion, std::vector<detect::ContactPoint>& points) {
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const double speed = points[i].n.dot(relative_velocity(motion, motion.after, i));
+    const double speed = points[i].n.dot(contact::relative_velocity(motion, motion.after, i));
     if (points[i].gap < 0 && speed * motion.h >= -points[i].gap) points[i].gap = 0;
   }
 }
 
 }  // namespace
 
-StepMotion move(World& world, const Loads& loads, const Substep& substep, SolvedContacts& solved,
-                const VesselStart& vessel) {
-  StepMotion motion = velocity_step(world, loads, substep, solved, vessel);
+contact::StepMotion move(World& world, const Loads& loads, const Substep& substep, SolvedContacts& solved,
+                         const VesselStart& vessel) {
+  contact::StepMotion motion = velocity_step(world, loads, substep, solved, vessel);
   advance(world.parts.bodies, motion.after, world.model.theta * substep.h, world.gyroscopic, world.threads);
   finish_vessel_step(world, motion);
   return motion;
 }
 
 CorrectedPositions correct_positions(World& world, const Substep& substep, const SolvedContacts& solved,
-                                     const StepMotion& motion) {
+                                     const contact::StepMotion& motion) {
   const ContactModel& model = world.model;
   if (model.position_step == PositionStep::none) return {};
-  Velocities pseudo{std::vector<Vec3>(world.size(), Vec3::Zero()), std::vector<Vec3>(world.size(), Vec3::Zero())};
-  std::vector<ContactPoint> points = model.position_step == PositionStep::projection
-                                         ? points_at_the_end(world, substep, solved.found, motion)
-                                         : motion.points;
+  contact::Velocities pseudo{std::vector<Vec3>(world.size(), Vec3::Zero()),
+                             std::vector<Vec3>(world.size(), Vec3::Zero())};
+  std::vector<detect::ContactPoint> points = model.position_step == PositionStep::projection
+                                                 ? points_at_the_end(world, substep, solved.found, motion)
+                                                 : motion.points;
   if (model.hit_when_met) leave_to_their_motion(motion, points);
-  const PositionCorrection done =
-      correction_velocities(solved.contacts, points, model.correction_over(substep.h), pseudo.v, pseudo.w);
+  const contact::PositionCorrection done =
+      contact::correction_velocities(solved.contacts, points, model.correction_over(substep.h), pseudo.v, pseudo.w);
   displace(world.parts.bodies, pseudo, substep.h);
   return {std::move(pseudo), done.converged};
 }
 
-}  // namespace nilas
+}  // namespace nilas::sim

@@ -9,19 +9,19 @@
 #include "core/sim/step/fast_bodies.h"
 #include "core/sim/step/vessel_step.h"
 
-namespace nilas {
+namespace nilas::sim {
 
 namespace {
 
 /// Overlaps that a solved substep must not lead to [share of the thickness]: a body that reaches half of the thickness
 /// can leave on the other side. Smaller overlaps become a penetration of the next step.
-constexpr SoughtOverlap k_passing{0.02, k_fast_share};
+constexpr detect::SoughtOverlap k_passing{0.02, k_fast_share};
 /// Largest number of solutions of one substep in which a body may miss a contact, before the substep is halved or
 /// judged.
 constexpr int k_most_misses = 8, k_most_misses_whole = 40;
 
 /// Frames with orthonormal columns for every contact; a moment has the frame of its contact.
-std::vector<Mat3> orthonormal_frames(const AssembledContacts& contacts) {
+std::vector<Mat3> orthonormal_frames(const contact::AssembledContacts& contacts) {
   std::vector<Mat3> frames = contacts.C;
   for (std::size_t c = 0; c < frames.size(); ++c)
     if (contacts.problem.is_moment(static_cast<int>(c))) frames[c] = contacts.C[contacts.problem.moments[c].contact];
@@ -40,27 +40,28 @@ VecX first_guess(World& world, const SolvedContacts& solved, const std::vector<M
 }
 
 void solve(World& world, SolvedContacts& solved) {
-  ContactProblem& problem = solved.contacts.problem;
+  contact::ContactProblem& problem = solved.contacts.problem;
   const std::vector<Mat3> frames = orthonormal_frames(solved.contacts);
-  const PreparedProblem prepared(problem);
-  StaticFrictionSolution found =
+  const contact::PreparedProblem prepared(problem);
+  contact::StaticFrictionSolution found =
       world.model.solve(problem, prepared, first_guess(world, solved, frames), solved.slipping);
   solved.solution = std::move(found.solution);
   solved.slipping = std::move(found.slipping);
   world.warm.keep(problem.key, frames, solved.solution.r);
   for (const auto& module : world.parts.modules) module->end_guess();
   solved.num_islands = static_cast<int>(prepared.islands().size());
-  solved.residuals = measure(prepared, solved.solution.r, solved.solution.v, solved.d);
+  solved.residuals = contact::measure(prepared, solved.solution.r, solved.solution.v, solved.d);
 }
 
 /// Velocities of the free bodies and of the vessel after the impulses.
-Velocities solved_velocities(const World& world, const Loads& loads, const Substep& substep,
-                             const SolvedContacts& solved, const std::vector<ArticulatedBlock>& vessel) {
-  const AssembledContacts& contacts = solved.contacts;
-  Velocities after = new_velocities(world, contacts, solved.solution, loads, substep.h);
-  for (const ArticulatedBlock& block : vessel) {
+contact::Velocities solved_velocities(const World& world, const Loads& loads, const Substep& substep,
+                                      const SolvedContacts& solved,
+                                      const std::vector<contact::ArticulatedBlock>& vessel) {
+  const contact::AssembledContacts& contacts = solved.contacts;
+  contact::Velocities after = new_velocities(world, contacts, solved.solution, loads, substep.h);
+  for (const contact::ArticulatedBlock& block : vessel) {
     VecX without_contact;
-    for (const ArticulatedBody& body : block.bodies) {
+    for (const contact::ArticulatedBody& body : block.bodies) {
       Vec6 twist = body.prescribed;
       const auto b = static_cast<std::size_t>(body.body);
       if (const int k = contacts.block_of_body[b]; k >= 0) {
@@ -87,12 +88,12 @@ class MissedContacts {
         misses_(world.size(), 0) {}
 
   /// Adds the contacts of fast pairs that the velocities still lead into each other. Returns whether there are any.
-  bool add(const Velocities& after, SolvedContacts& solved) {
+  bool add(const contact::Velocities& after, SolvedContacts& solved) {
     solved.unheld.clear();
     if (world_.model.detection != Detection::continuous) return false;
     std::vector<char> missed(world_.size(), 0);
     bool added = false;
-    for (const SweptPair& pair : sweep(world_, after, substep_.h, substep_.h, k_passing)) {
+    for (const detect::SweptPair& pair : sweep(world_, after, substep_.h, substep_.h, k_passing)) {
       if (!pair.first.hit || pair.first.t == 0) continue;
       const auto a = static_cast<std::size_t>(pair.a), b = static_cast<std::size_t>(pair.b);
       const int before = std::max(misses_[a], misses_[b]);
@@ -101,9 +102,10 @@ class MissedContacts {
         continue;
       }
       missed[a] = missed[b] = 1;
-      for (const ContactPoint& met : pair.points) {
-        ContactPoint& point = solved.found.points.emplace_back(as_gap(world_, met, pair.first.t, after, substep_.h));
-        point.key = mix(met.key, static_cast<std::uint64_t>(before) + 1);
+      for (const detect::ContactPoint& met : pair.points) {
+        detect::ContactPoint& point =
+            solved.found.points.emplace_back(as_gap(world_, met, pair.first.t, after, substep_.h));
+        point.key = detect::mix(met.key, static_cast<std::uint64_t>(before) + 1);
         solved.found.met_on_path.push_back(point.key);
         added = true;
       }
@@ -122,9 +124,9 @@ class MissedContacts {
 
 }  // namespace
 
-Velocities new_velocities(const World& world, const AssembledContacts& contacts, const ContactSolution& solution,
-                          const Loads& loads, double h) {
-  Velocities after;
+contact::Velocities new_velocities(const World& world, const contact::AssembledContacts& contacts,
+                                   const contact::ContactSolution& solution, const Loads& loads, double h) {
+  contact::Velocities after;
   free_velocities(world.parts.bodies, loads.total, h, after);
   for (std::size_t b = 0; b < world.size(); ++b) {
     const int block = contacts.block_of_body[b];
@@ -141,12 +143,12 @@ SolvedContacts solve_contacts(World& world, const Loads& loads, const Substep& s
   SolvedContacts solved;
   solved.found = std::move(found);
   solved.slipping = world.slipping;
-  const std::vector<ArticulatedBlock> vessel = begin_vessel_step(world, loads.total, substep.h);
-  const AssemblySettings settings = world.model.assembly_over(substep.h);
+  const std::vector<contact::ArticulatedBlock> vessel = begin_vessel_step(world, loads.total, substep.h);
+  const contact::AssemblySettings settings = world.model.assembly_over(substep.h);
   MissedContacts missed(world, substep, can_halve);
   do {
     solved.contacts =
-        assemble(world.parts.bodies, loads.total, solved.found.points, world.parts.friction, settings, vessel);
+        contact::assemble(world.parts.bodies, loads.total, solved.found.points, world.parts.friction, settings, vessel);
     watch.lap(Phase::assembly);
     solve(world, solved);
     note(solved.solution, solved.residuals);
@@ -165,4 +167,4 @@ void judge_unheld(World& world, const Substep& substep, const SolvedContacts& so
                                   substep.t));
 }
 
-}  // namespace nilas
+}  // namespace nilas::sim

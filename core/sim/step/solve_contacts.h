@@ -12,23 +12,23 @@
 #include "core/sim/step/substep.h"
 #include "core/sim/world/world_state.h"
 
-namespace nilas {
+namespace nilas::sim {
 
 struct SolvedContacts {
   FoundContacts found;
-  AssembledContacts contacts;
-  ContactSolution solution;
+  contact::AssembledContacts contacts;
+  contact::ContactSolution solution;
   int num_islands = 0;
-  Residuals residuals;
-  std::vector<double> d;      ///< per contact, as returned by `measure` [1/kg]
-  SlippingContacts slipping;  ///< contacts that slip, for the next step
-  Velocities after;           ///< velocities after the impulses, of free bodies and vessel
+  contact::Residuals residuals;
+  std::vector<double> d;               ///< per contact, as returned by `measure` [1/kg]
+  contact::SlippingContacts slipping;  ///< contacts that slip, for the next step
+  contact::Velocities after;           ///< velocities after the impulses, of free bodies and vessel
   /// Fast pairs that the solution leads into each other after the last try.
   std::vector<std::pair<int, int>> unheld;
 };
 
 /// Called with every solution, including those that lead fast pairs into each other and are replaced.
-using NoteSolution = std::function<void(const ContactSolution&, const Residuals&)>;
+using NoteSolution = std::function<void(const contact::ContactSolution&, const contact::Residuals&)>;
 
 /// Assembles and solves the substep's problem. Where the solution leads fast pairs into each other, their contacts on
 /// the path are added and the problem is solved again. `can_halve`: fewer tries, since a shorter substep may follow.
@@ -40,7 +40,7 @@ SolvedContacts solve_contacts(World& world, const Loads& loads, const Substep& s
 void judge_unheld(World& world, const Substep& substep, const SolvedContacts& solved);
 
 /// The velocities of the free bodies after the impulses; other bodies keep theirs.
-Velocities new_velocities(const World& world, const AssembledContacts& contacts, const ContactSolution& solution,
-                          const Loads& loads, double h);
+contact::Velocities new_velocities(const World& world, const contact::AssembledContacts& contacts,
+                                   const contact::ContactSolution& solution, const Loads& loads, double h);
 
-}  // namespace nilas
+}  // namespace nilas::sim

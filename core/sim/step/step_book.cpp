@@ -10,7 +10,7 @@
 #include "core/sim/step/structure_record.h"
 #include "core/sim/step/vessel_record.h"
 
-namespace nilas {
+namespace nilas::sim {
 
 namespace {
 
@@ -24,9 +24,9 @@ StepLoads step_loads(const World& world, const Loads& loads) {
 
 std::uint64_t state_hash(const World& world) {
   StateHash hash;
-  const Bodies& bodies = world.parts.bodies;
+  const bodies::Bodies& bodies = world.parts.bodies;
   for (std::size_t b = 0; b < world.size(); ++b) {
-    if (bodies.motion[b] == Motion::fixed) continue;
+    if (bodies.motion[b] == bodies::Motion::fixed) continue;
     hash.add_vector(bodies.p_GB[b]);
     hash.add_vector(bodies.q_GB[b].coeffs());
     hash.add_vector(bodies.v_GB[b]);
@@ -57,13 +57,14 @@ void StepBook::note_found(const FoundContacts& found, bool first) {
   if (count > 0) record_.penetration_mean /= count;
 }
 
-void StepBook::note_solution(const ContactSolution& solution, const Residuals& residuals, double t_end) {
+void StepBook::note_solution(const contact::ContactSolution& solution, const contact::Residuals& residuals,
+                             double t_end) {
   // Keep the worst of all solutions of the step.
   if (!(residuals.law_map_m_s < record_.residuals.law_map_m_s)) record_.residuals = residuals;
-  nilas::note_solution(world_, solution, t_end, record_);
+  nilas::sim::note_solution(world_, solution, t_end, record_);
 }
 
-void StepBook::add(const Substep& substep, const Loads& loads, SolvedContacts solved, const StepMotion& motion,
+void StepBook::add(const Substep& substep, const Loads& loads, SolvedContacts solved, const contact::StepMotion& motion,
                    const CorrectedPositions& corrected, const VesselStart& start) {
   const WorldParts& parts = world_.parts;
   record_.positions_corrected = record_.positions_corrected && corrected.converged;
@@ -94,18 +95,18 @@ void StepBook::add(const Substep& substep, const Loads& loads, SolvedContacts so
   watch_.lap(Phase::output);
 }
 
-void StepBook::keep(SolvedContacts& solved, const StepMotion& motion) {
+void StepBook::keep(SolvedContacts& solved, const contact::StepMotion& motion) {
   const WorldParts& parts = world_.parts;
-  SolvedProblem& kept = world_.solved.emplace_back();
+  contact::SolvedProblem& kept = world_.solved.emplace_back();
   kept.problem = std::move(solved.contacts.problem);
   kept.solution = std::move(solved.solution);
   kept.points = motion.points;
   kept.d = std::move(solved.d);
-  const auto touching = [&](int body) -> TouchingBody {
+  const auto touching = [&](int body) -> contact::TouchingBody {
     const auto b = static_cast<std::size_t>(body);
-    return {parts.bodies.id[b], parts.bodies.motion[b] == Motion::fixed ? 0 : 1 / parts.bodies.mass[b]};
+    return {parts.bodies.id[b], parts.bodies.motion[b] == bodies::Motion::fixed ? 0 : 1 / parts.bodies.mass[b]};
   };
-  for (const ContactPoint& c : motion.points) kept.touching.push_back({touching(c.a), touching(c.b)});
+  for (const detect::ContactPoint& c : motion.points) kept.touching.push_back({touching(c.a), touching(c.b)});
   kept.impulses = motion.impulses;
   kept.couples = motion.couples;
   if (!parts.vessel) return;
@@ -134,42 +135,43 @@ void note_end(const World& world, const MomentumBalance& balance, StepRecord& re
   record.state_hash = state_hash(world);
 }
 
-const SolvedProblem* last_problem(const World& world) {
-  const auto touched = std::find_if(world.solved.rbegin(), world.solved.rend(),
-                                    [](const SolvedProblem& substep) { return substep.problem.num_points() > 0; });
+const contact::SolvedProblem* last_problem(const World& world) {
+  const auto touched =
+      std::find_if(world.solved.rbegin(), world.solved.rend(),
+                   [](const contact::SolvedProblem& substep) { return substep.problem.num_points() > 0; });
   if (touched != world.solved.rend()) return &*touched;
   return world.solved.empty() ? nullptr : &world.solved.front();
 }
 
 void stop_on_failure(const World& world, const StepRecord& record) {
-  const SolvedProblem* last = last_problem(world);
-  if (!world.model.stop_on_failure || record.status == SolveStatus::converged || !last ||
+  const contact::SolvedProblem* last = last_problem(world);
+  if (!world.model.stop_on_failure || record.status == contact::SolveStatus::converged || !last ||
       last->problem.num_contacts() == 0)
     return;
   throw SimulationError(fmt::format("at {:g} s the contact solver stopped with status {}, law_map_m_s {:.3g}{}",
-                                    record.t, to_string(record.status), record.residuals.law_map_m_s,
+                                    record.t, contact::to_string(record.status), record.residuals.law_map_m_s,
                                     record.solver_message.empty() ? "" : ": " + record.solver_message));
 }
 
-void note_solution(World& world, const ContactSolution& solution, double t_end, StepRecord& record) {
+void note_solution(World& world, const contact::ContactSolution& solution, double t_end, StepRecord& record) {
   record.iterations += solution.iterations;
   if (solution.status >= record.status) {
     record.status = solution.status;
     record.solver_message = solution.message;
   }
-  const bool as_asked = solution.status == SolveStatus::converged ||
-                        (world.model.fixed_sweeps && solution.status == SolveStatus::iteration_limit);
+  const bool as_asked = solution.status == contact::SolveStatus::converged ||
+                        (world.model.fixed_sweeps && solution.status == contact::SolveStatus::iteration_limit);
   record.solver_short = record.solver_short || !as_asked;
   if (as_asked) return;
   world.warnings.warn("steps short of the contact tolerance",
                       fmt::format("contact solver at {:g} s: {}, law_map_m_s {:.3g} above the tolerance {:.3g}{}",
-                                  t_end, to_string(solution.status), record.residuals.law_map_m_s,
+                                  t_end, contact::to_string(solution.status), record.residuals.law_map_m_s,
                                   world.model.tolerance, solution.message.empty() ? "" : ", " + solution.message));
 }
 
-void warn_of_unnamed_pairs(World& world, const std::vector<ContactPoint>& points) {
-  const Bodies& bodies = world.parts.bodies;
-  for (const ContactPoint& c : points) {
+void warn_of_unnamed_pairs(World& world, const std::vector<detect::ContactPoint>& points) {
+  const bodies::Bodies& bodies = world.parts.bodies;
+  for (const detect::ContactPoint& c : points) {
     const int a = bodies.material[c.a], b = bodies.material[c.b];
     if (world.parts.friction.names(a, b)) continue;
     if (!world.unnamed_pairs.emplace(std::min(a, b), std::max(a, b)).second) continue;
@@ -180,4 +182,4 @@ void warn_of_unnamed_pairs(World& world, const std::vector<ContactPoint>& points
   }
 }
 
-}  // namespace nilas
+}  // namespace nilas::sim

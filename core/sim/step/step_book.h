@@ -10,7 +10,7 @@
 #include "core/sim/step/vessel_step.h"
 #include "core/sim/world/world_state.h"
 
-namespace nilas {
+namespace nilas::sim {
 
 class StepBook {
  public:
@@ -20,9 +20,9 @@ class StepBook {
   /// step.
   void note_found(const FoundContacts& found, bool first);
   /// Notes a solution, with a warning where it misses the tolerance. `t_end`: end of its substep [s].
-  void note_solution(const ContactSolution& solution, const Residuals& residuals, double t_end);
+  void note_solution(const contact::ContactSolution& solution, const contact::Residuals& residuals, double t_end);
   /// Books a substep that was taken: its accounts, its loads and its solved problem.
-  void add(const Substep& substep, const Loads& loads, SolvedContacts solved, const StepMotion& motion,
+  void add(const Substep& substep, const Loads& loads, SolvedContacts solved, const contact::StepMotion& motion,
            const CorrectedPositions& corrected, const VesselStart& vessel);
   /// Ends the step and returns its record.
   StepRecord close();
@@ -32,7 +32,7 @@ class StepBook {
   StepRecord& record() { return record_; }
 
  private:
-  void keep(SolvedContacts& solved, const StepMotion& motion);
+  void keep(SolvedContacts& solved, const contact::StepMotion& motion);
 
   World& world_;
   StepRecord record_;
@@ -45,10 +45,10 @@ void note_end(const World& world, const MomentumBalance& balance, StepRecord& re
 /// Throws SimulationError where the solver did not converge and the scene asks to stop.
 void stop_on_failure(const World& world, const StepRecord& record);
 /// The problem that represents a step: that of the last substep with contacts. Null before the first step.
-const SolvedProblem* last_problem(const World& world);
+const contact::SolvedProblem* last_problem(const World& world);
 /// Adds a solution's status and iterations to a record, with a warning where it misses the tolerance.
-void note_solution(World& world, const ContactSolution& solution, double t_end, StepRecord& record);
+void note_solution(World& world, const contact::ContactSolution& solution, double t_end, StepRecord& record);
 /// Warns once of every pair of materials in contact that the scene does not name.
-void warn_of_unnamed_pairs(World& world, const std::vector<ContactPoint>& points);
+void warn_of_unnamed_pairs(World& world, const std::vector<detect::ContactPoint>& points);
 
-}  // namespace nilas
+}  // namespace nilas::sim

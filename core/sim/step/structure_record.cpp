@@ -6,9 +6,9 @@
 #include "core/base/order_free_sum.h"
 #include "core/sim/world/load_axes.h"
 
-namespace nilas {
+namespace nilas::sim {
 
-void add_structure_loads(const World& world, const StepMotion& motion, std::vector<StructureRecord>& records) {
+void add_structure_loads(const World& world, const contact::StepMotion& motion, std::vector<StructureRecord>& records) {
   const auto& structures = world.parts.info.structures;
   // Broken floes change the indices of the bodies behind them, but not their order.
   std::vector<int> places;
@@ -24,7 +24,7 @@ void add_structure_loads(const World& world, const StepMotion& motion, std::vect
   std::vector<Sums> sums(structures.size());
   records.resize(structures.size());
   for (std::size_t i = 0; i < motion.points.size(); ++i) {
-    const ContactPoint& c = motion.points[i];
+    const detect::ContactPoint& c = motion.points[i];
     for (const auto& [body, other, sign] : {std::tuple(c.a, c.b, -1.0), std::tuple(c.b, c.a, 1.0)}) {
       const auto k = structure_of(body);
       if (k < 0 || motion.impulses[i].isZero(0)) continue;
@@ -32,7 +32,7 @@ void add_structure_loads(const World& world, const StepMotion& motion, std::vect
       sum.force.add(sign * motion.impulses[i]);
       sum.torque.add((c.p - motion.p[body]).cross(sign * motion.impulses[i]));
       if (!motion.couples.empty()) sum.torque.add(sign * motion.couples[i]);
-      if (world.parts.bodies.kind[other] != BodyKind::floe) continue;
+      if (world.parts.bodies.kind[other] != bodies::BodyKind::floe) continue;
       records[k].touches_ice = true;
       sum.ice.add(sign * motion.impulses[i]);
     }
@@ -43,4 +43,4 @@ void add_structure_loads(const World& world, const StepMotion& motion, std::vect
   }
 }
 
-}  // namespace nilas
+}  // namespace nilas::sim

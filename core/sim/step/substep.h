@@ -3,7 +3,7 @@
 /// would let them pass through each other.
 #include "core/bodies/module.h"
 
-namespace nilas {
+namespace nilas::sim {
 
 struct Substep {
   double t = 0;                   ///< start [s]
@@ -13,8 +13,8 @@ struct Substep {
 
 /// Loads other than contact, weight included, at the pose where the impulses act.
 struct Loads {
-  Wrenches total;                   ///< load per body
-  std::vector<Wrenches> by_module;  ///< same order as WorldParts::forces
+  bodies::Wrenches total;                   ///< load per body
+  std::vector<bodies::Wrenches> by_module;  ///< same order as WorldParts::forces
 };
 
-}  // namespace nilas
+}  // namespace nilas::sim

@@ -2,7 +2,7 @@
 /// Division of a step into substeps.
 #include <algorithm>
 
-namespace nilas {
+namespace nilas::sim {
 
 /// Length below which substeps are not halved [share of the step].
 constexpr double k_shortest_half = 1.0 / 65536;
@@ -35,4 +35,4 @@ class SubstepPlan {
   int most_, cuts_ = 1;
 };
 
-}  // namespace nilas
+}  // namespace nilas::sim

@@ -10,12 +10,12 @@
 #include "core/sim/step/substep_plan.h"
 #include "fracture/model/step_end.h"
 
-namespace nilas {
+namespace nilas::sim {
 
 /// Lets modules change bodies, for instance break floes. Pieces take part from the next step on.
 static void end_step(World& world, StepBook& book) {
   const auto book_break = [&] { return world.energy.breaking(kinetic_energy(world.parts.bodies), world.potential()); };
-  StepEnd end{world.parts.bodies, world.time(), world.step, world.solved.back(), book_break, {}, {}, {}};
+  fracture::StepEnd end{world.parts.bodies, world.time(), world.step, world.solved.back(), book_break, {}, {}, {}};
   for (const auto& module : world.parts.modules) module->end_step(end);
   if (!end.broken.empty()) {
     world.follow_bodies(end.pieces);
@@ -46,7 +46,7 @@ StepRecord take_step(World& world) {
 
     // One value holds the contact problem; one set of residuals judges its solution.
     const bool can_halve = plan.can_halve(substep.h);
-    const auto note = [&](const ContactSolution& solution, const Residuals& residuals) {
+    const auto note = [&](const contact::ContactSolution& solution, const contact::Residuals& residuals) {
       book.note_solution(solution, residuals, substep.t + substep.h);
     };
     SolvedContacts solved = solve_contacts(world, loads, substep, std::move(found), can_halve, note, book.watch());
@@ -58,7 +58,7 @@ StepRecord take_step(World& world) {
     judge_unheld(world, substep, solved);
 
     // Velocities and poses, then the position correction that the scene chose.
-    const StepMotion motion = move(world, loads, substep, solved, start.vessel);
+    const contact::StepMotion motion = move(world, loads, substep, solved, start.vessel);
     const CorrectedPositions corrected = correct_positions(world, substep, solved, motion);
     plan.take(substep.h, start.h);
     book.add(substep, loads, std::move(solved), motion, corrected, start.vessel);
@@ -68,4 +68,4 @@ StepRecord take_step(World& world) {
   return book.close();
 }
 
-}  // namespace nilas
+}  // namespace nilas::sim

@@ -8,12 +8,13 @@
 #include "core/sim/world/course.h"
 #include "core/sim/world/load_axes.h"
 
-namespace nilas {
+namespace nilas::sim {
 
 namespace {
 
 /// Sum of the loads on the hull and the parts, about the hull's centre of mass.
-Wrench on_whole_vessel(const Wrench& on_hull, std::size_t hull, const StepMotion& motion, const Wrenches& on_parts) {
+Wrench on_whole_vessel(const Wrench& on_hull, std::size_t hull, const contact::StepMotion& motion,
+                       const bodies::Wrenches& on_parts) {
   Wrench sum = on_hull;
   for (std::size_t k = 0; k < on_parts.size(); ++k) {
     const Vec3 arm = motion.p[hull + 1 + k] - motion.p[hull];
@@ -24,28 +25,28 @@ Wrench on_whole_vessel(const Wrench& on_hull, std::size_t hull, const StepMotion
 
 Wrench over(const Wrench& impulse, double h) { return {impulse.force / h, impulse.torque / h}; }
 
-std::vector<PartRecord> part_records(const WorldParts& parts, const StepMotion& motion) {
+std::vector<PartRecord> part_records(const WorldParts& parts, const contact::StepMotion& motion) {
   std::vector<PartRecord> records;
   int body = parts.vessel_index;
-  for (const PartState& part : parts.vessel->parts())
-    records.push_back({part.joint, over(contact_impulse_on(motion, ++body), motion.h), part.coordinates, part.rates,
-                       part.unbalanced_force, part.unbalanced_torque});
+  for (const vessel::PartState& part : parts.vessel->parts())
+    records.push_back({part.joint, over(contact::contact_impulse_on(motion, ++body), motion.h), part.coordinates,
+                       part.rates, part.unbalanced_force, part.unbalanced_torque});
   return records;
 }
 
 /// Adds the contact force by side of the hull, and the share of ice in it.
-void add_contacts_by_side(const WorldParts& parts, const StepMotion& motion, VesselRecord& record) {
+void add_contacts_by_side(const WorldParts& parts, const contact::StepMotion& motion, VesselRecord& record) {
   const auto vessel = static_cast<std::size_t>(parts.vessel_index);
   OrderFreeVectorSum on_port, on_starboard, of_ice;
   for (std::size_t i = 0; i < motion.points.size(); ++i) {
-    const ContactPoint& c = motion.points[i];
+    const detect::ContactPoint& c = motion.points[i];
     const bool is_b = parts.is_of_vessel(c.b);
     if (parts.is_of_vessel(c.a) == is_b) continue;
     const bool port = (motion.R[vessel].transpose() * (c.p - motion.p[vessel])).y() > 0;
     const double sign = is_b ? 1 : -1;
     (port ? on_port : on_starboard).add(sign / motion.h * motion.impulses[i]);
     const auto other = static_cast<std::size_t>(is_b ? c.a : c.b);
-    if (parts.bodies.kind[other] != BodyKind::floe || motion.impulses[i].isZero(0)) continue;
+    if (parts.bodies.kind[other] != bodies::BodyKind::floe || motion.impulses[i].isZero(0)) continue;
     record.touches_ice = true;
     of_ice.add(sign / motion.h * motion.impulses[i]);
   }
@@ -65,7 +66,8 @@ void add_share(const std::optional<Wrench>& substep, double share, std::optional
   add_share(*substep, share, *step);
 }
 
-void add_share(const std::optional<CarriageLoads>& substep, double share, std::optional<CarriageLoads>& step) {
+void add_share(const std::optional<vessel::CarriageLoads>& substep, double share,
+               std::optional<vessel::CarriageLoads>& step) {
   if (!substep) return;
   if (!step) step.emplace();
   add_share(substep->about_com, share, step->about_com);
@@ -85,17 +87,17 @@ void add_share(const PartRecord& substep, double share, PartRecord& step) {
 
 }  // namespace
 
-VesselRecord vessel_record(const World& world, const Loads& loads, const StepMotion& motion,
-                           const SolvedProblem& solved, const std::vector<Mat3>& frames, double t_end) {
+VesselRecord vessel_record(const World& world, const Loads& loads, const contact::StepMotion& motion,
+                           const contact::SolvedProblem& solved, const std::vector<Mat3>& frames, double t_end) {
   const WorldParts& parts = world.parts;
   const auto hull = static_cast<std::size_t>(parts.vessel_index);
   VesselRecord record;
   record.parts = part_records(parts, motion);
   record.rods = parts.vessel->joint_account().rods;
-  Wrenches on_parts;
+  bodies::Wrenches on_parts;
   for (const PartRecord& part : record.parts) on_parts.push_back(part.contact);
   record.contact =
-      on_whole_vessel(over(contact_impulse_on(motion, parts.vessel_index), motion.h), hull, motion, on_parts);
+      on_whole_vessel(over(contact::contact_impulse_on(motion, parts.vessel_index), motion.h), hull, motion, on_parts);
   const LoadResidual off = load_residual(solved, frames, motion, parts.vessel_index, parts.num_parts);
   record.solver_residual = over(off.solver, motion.h);
   record.law_residual = over(off.law, motion.h);
@@ -108,9 +110,9 @@ VesselRecord vessel_record(const World& world, const Loads& loads, const StepMot
   for (std::size_t m = 0; m < loads.by_module.size(); ++m) {
     const auto first = loads.by_module[m].begin() + parts.vessel_index;
     const Wrench load = on_whole_vessel(*first, hull, motion, {first + 1, first + 1 + parts.num_parts});
-    const VesselLoad kind = parts.forces[m]->load_on_vessel();
-    if (kind == VesselLoad::water) *record.hydro += load;
-    if (kind == VesselLoad::own) record.module_loads.push_back(load);
+    const bodies::VesselLoad kind = parts.forces[m]->load_on_vessel();
+    if (kind == bodies::VesselLoad::water) *record.hydro += load;
+    if (kind == bodies::VesselLoad::own) record.module_loads.push_back(load);
   }
   return record;
 }
@@ -141,4 +143,4 @@ void add_share(VesselRecord substep, double share, VesselRecord& step) {
   step.touches_ice = step.touches_ice || substep.touches_ice;
 }
 
-}  // namespace nilas
+}  // namespace nilas::sim

@@ -7,14 +7,14 @@
 #include "core/sim/step/substep.h"
 #include "core/sim/world/world_state.h"
 
-namespace nilas {
+namespace nilas::sim {
 
 /// Loads over a substep that ended at `t_end` [s]. `solved` and `frames` (AssembledContacts::C) belong to the same
 /// substep.
-VesselRecord vessel_record(const World& world, const Loads& loads, const StepMotion& motion,
-                           const SolvedProblem& solved, const std::vector<Mat3>& frames, double t_end);
+VesselRecord vessel_record(const World& world, const Loads& loads, const contact::StepMotion& motion,
+                           const contact::SolvedProblem& solved, const std::vector<Mat3>& frames, double t_end);
 
 /// Adds the loads of a substep, weighted with its share of the step. States are those of the last substep.
 void add_share(VesselRecord substep, double share, VesselRecord& step);
 
-}  // namespace nilas
+}  // namespace nilas::sim

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace nilas {
+namespace nilas::sim {
 
 static bool vessel_moves(const World& world) { return world.parts.vessel && !world.parts.vessel->fixed(); }
 
@@ -11,7 +11,7 @@ bool is_booked_whole(const WorldParts& parts) {
 }
 
 static void copy_vessel_state(WorldParts& parts) {
-  const auto copy = [&](int body, const VesselState& state) {
+  const auto copy = [&](int body, const vessel::VesselState& state) {
     const auto b = static_cast<std::size_t>(body);
     parts.bodies.set_pose(body, state.pose.p, state.pose.q);
     parts.bodies.v_GB[b] = state.v;
@@ -19,7 +19,7 @@ static void copy_vessel_state(WorldParts& parts) {
   };
   int body = parts.vessel_index;
   copy(body, parts.vessel->state());
-  for (const PartState& part : parts.vessel->parts()) copy(++body, part.state);
+  for (const vessel::PartState& part : parts.vessel->parts()) copy(++body, part.state);
 }
 
 void move_vessel_before_impulses(World& world, double h) {
@@ -32,25 +32,26 @@ void abandon_vessel_step(World& world) {
   if (vessel_moves(world)) world.parts.vessel->abandon_step();
 }
 
-std::vector<ArticulatedBlock> begin_vessel_step(World& world, const Wrenches& loads, double h) {
+std::vector<contact::ArticulatedBlock> begin_vessel_step(World& world, const bodies::Wrenches& loads, double h) {
   if (!vessel_moves(world)) return {};
   const WorldParts& parts = world.parts;
   const auto hull = loads.begin() + parts.vessel_index;
-  VesselBlock found = world.parts.vessel->begin(*hull, h, {hull + 1, hull + 1 + parts.num_parts});
-  ArticulatedBlock block{{}, std::move(found.mass), std::move(found.f)};
+  vessel::VesselBlock found = world.parts.vessel->begin(*hull, h, {hull + 1, hull + 1 + parts.num_parts});
+  contact::ArticulatedBlock block{{}, std::move(found.mass), std::move(found.f)};
   int body = parts.vessel_index;
   block.bodies.push_back({body, std::move(found.hull.jacobian), found.hull.prescribed});
-  for (BodyTwist& part : found.parts) block.bodies.push_back({++body, std::move(part.jacobian), part.prescribed});
+  for (vessel::BodyTwist& part : found.parts)
+    block.bodies.push_back({++body, std::move(part.jacobian), part.prescribed});
   return {std::move(block)};
 }
 
-void finish_vessel_step(World& world, StepMotion& motion) {
+void finish_vessel_step(World& world, contact::StepMotion& motion) {
   if (!vessel_moves(world)) return;
   WorldParts& parts = world.parts;
   std::vector<Wrench> on_parts;
   for (int part = 1; part <= parts.num_parts; ++part)
-    on_parts.push_back(contact_impulse_on(motion, parts.vessel_index + part));
-  parts.vessel->finish(contact_impulse_on(motion, parts.vessel_index), on_parts);
+    on_parts.push_back(contact::contact_impulse_on(motion, parts.vessel_index + part));
+  parts.vessel->finish(contact::contact_impulse_on(motion, parts.vessel_index), on_parts);
   std::vector<Vec6> twists = parts.vessel->part_velocities_after_impulses();
   twists.insert(twists.begin(), parts.vessel->velocity_after_impulses());
   for (std::size_t k = 0; k < twists.size(); ++k) {
@@ -75,12 +76,12 @@ VesselAccount vessel_account(const World& world, const VesselStart& start) {
   return account;
 }
 
-JointAccount::Motion joint_work_before(const World& world) {
-  return world.parts.vessel ? world.parts.vessel->joint_account().before : JointAccount::Motion{};
+vessel::JointAccount::Motion joint_work_before(const World& world) {
+  return world.parts.vessel ? world.parts.vessel->joint_account().before : vessel::JointAccount::Motion{};
 }
 
-JointAccount::Motion joint_work_after(const World& world) {
-  return world.parts.vessel ? world.parts.vessel->joint_account().after : JointAccount::Motion{};
+vessel::JointAccount::Motion joint_work_after(const World& world) {
+  return world.parts.vessel ? world.parts.vessel->joint_account().after : vessel::JointAccount::Motion{};
 }
 
-}  // namespace nilas
+}  // namespace nilas::sim

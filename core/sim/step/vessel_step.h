@@ -7,7 +7,7 @@
 #include "core/sim/account/ledger.h"
 #include "core/sim/world/world_state.h"
 
-namespace nilas {
+namespace nilas::sim {
 
 /// Whether the vessel is booked from end to end of a substep: on a carriage and without parts. Others are booked from
 /// impulse to impulse.
@@ -25,13 +25,13 @@ void move_vessel_before_impulses(World& world, double h);
 void abandon_vessel_step(World& world);
 
 /// The vessel's block of the contact problem under these loads; empty without a vessel that moves.
-std::vector<ArticulatedBlock> begin_vessel_step(World& world, const Wrenches& loads, double h);
+std::vector<contact::ArticulatedBlock> begin_vessel_step(World& world, const bodies::Wrenches& loads, double h);
 /// Ends the vessel's substep under the contact impulses of `motion`, and writes the vessel's velocities to `motion`.
-void finish_vessel_step(World& world, StepMotion& motion);
+void finish_vessel_step(World& world, contact::StepMotion& motion);
 
 VesselAccount vessel_account(const World& world, const VesselStart& start);
 /// Works of joints and carriage before and after the impulses.
-JointAccount::Motion joint_work_before(const World& world);
-JointAccount::Motion joint_work_after(const World& world);
+vessel::JointAccount::Motion joint_work_before(const World& world);
+vessel::JointAccount::Motion joint_work_after(const World& world);
 
-}  // namespace nilas
+}  // namespace nilas::sim

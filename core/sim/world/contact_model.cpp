@@ -7,22 +7,24 @@
 #include "contact/solvers/with_retry.h"
 #include "core/base/error.h"
 
-namespace nilas {
+namespace nilas::sim {
 
-StaticFrictionSolution ContactModel::solve(ContactProblem& problem, const PreparedProblem& prepared, const VecX& guess,
-                                           const SlippingContacts& slipped) const {
-  if (static_friction) return solve_with_static_friction(*static_friction, *solver, guess, slipped, problem, prepared);
+contact::StaticFrictionSolution ContactModel::solve(contact::ContactProblem& problem,
+                                                    const contact::PreparedProblem& prepared, const VecX& guess,
+                                                    const contact::SlippingContacts& slipped) const {
+  if (static_friction)
+    return contact::solve_with_static_friction(*static_friction, *solver, guess, slipped, problem, prepared);
   return {solver->solve(prepared, guess), {}, 1};
 }
 
-AssemblySettings ContactModel::assembly_over(double h) const {
-  AssemblySettings settings = assembly;
+contact::AssemblySettings ContactModel::assembly_over(double h) const {
+  contact::AssemblySettings settings = assembly;
   settings.h = h;
   return settings;
 }
 
-CorrectionSettings ContactModel::correction_over(double h) const {
-  CorrectionSettings settings = correction;
+contact::CorrectionSettings ContactModel::correction_over(double h) const {
+  contact::CorrectionSettings settings = correction;
   settings.h = h;
   return settings;
 }
@@ -31,7 +33,7 @@ CorrectionSettings ContactModel::correction_over(double h) const {
 /// penetration to remove. Where a scene fixes its iterations, it is no more than what the velocities may leave.
 constexpr double k_correction_tolerance = 1e-3;
 
-static void set_stabilisation(const ContactScene& contact, ContactModel& model) {
+static void set_stabilisation(const scene::ContactScene& contact, ContactModel& model) {
   model.correction.slop = contact.slop;
   switch (contact.stabilisation) {
     case Stabilisation::none:
@@ -59,7 +61,7 @@ static void set_stabilisation(const ContactScene& contact, ContactModel& model) 
 }
 
 /// Share of the step's motion that follows the impulses.
-static double theta_of(const ContactScene& contact) {
+static double theta_of(const scene::ContactScene& contact) {
   switch (contact.integrator) {
     case Integrator::moreau:
       return contact.theta;
@@ -70,19 +72,19 @@ static double theta_of(const ContactScene& contact) {
   return 1;
 }
 
-bool has_static_friction(const ContactScene& contact) {
+bool has_static_friction(const scene::ContactScene& contact) {
   return contact.law.law != Law::frictionless &&
          std::any_of(contact.friction.begin(), contact.friction.end(),
-                     [](const FrictionScene& pair) { return pair.static_ > pair.kinetic; });
+                     [](const scene::FrictionScene& pair) { return pair.static_ > pair.kinetic; });
 }
 
-ContactModel build_contact_model(const ContactScene& contact, int threads) {
+ContactModel build_contact_model(const scene::ContactScene& contact, int threads) {
   ContactModel model;
   model.assembly.law = contact.law.law;
   model.assembly.facets = contact.law.facets;
   model.assembly.axes = contact.axes_deg * k_deg;
   set_stabilisation(contact, model);
-  const SolverEntry& solver = find_solver(contact.solver);
+  const contact::SolverEntry& solver = contact::find_solver(contact.solver);
   model.correction.order_free = solver.order_free;
   constexpr int k_extragradient_steps = 1000;  // each costs less than a sweep
   if (solver.order_free) model.correction.max_sweeps = std::max(model.correction.max_sweeps, k_extragradient_steps);
@@ -91,26 +93,27 @@ ContactModel build_contact_model(const ContactScene& contact, int threads) {
   model.fixed_sweeps = contact.tolerance == 0;
   if (model.fixed_sweeps) model.correction.max_sweeps = std::min(model.correction.max_sweeps, contact.max_iterations);
   model.theta = theta_of(contact);
-  model.hit_when_met = model.theta < 1 && std::any_of(contact.friction.begin(), contact.friction.end(),
-                                                      [](const FrictionScene& pair) { return pair.restitution > 0; });
+  model.hit_when_met =
+      model.theta < 1 && std::any_of(contact.friction.begin(), contact.friction.end(),
+                                     [](const scene::FrictionScene& pair) { return pair.restitution > 0; });
   model.warm_start = contact.warm_start;
   model.stop_on_failure = contact.on_failure == OnFailure::stop && !model.fixed_sweeps;  // no tolerance to miss
   model.detection = contact.detection;
   if (model.detection == Detection::continuous) model.most_substeps = std::max(1, contact.substeps);
   model.margin = contact.margin;
-  SolverSettings settings;
+  contact::SolverSettings settings;
   settings.tolerance = contact.tolerance;
   settings.max_iterations = contact.max_iterations;
   settings.threads = threads;
   model.solver = solver.make(settings);
   if (contact.on_failure == OnFailure::retry && !model.fixed_sweeps)
-    model.solver =
-        std::make_unique<WithRetry>(std::move(model.solver), find_solver(SolverName::automatic).make(settings));
+    model.solver = std::make_unique<solvers::WithRetry>(std::move(model.solver),
+                                                        contact::find_solver(SolverName::automatic).make(settings));
   // Slip below ten times the solver's tolerance counts as rest.
   constexpr double k_least_slip = 1e-5;  // [m/s]
   if (has_static_friction(contact))
-    model.static_friction = StaticFriction{std::max(k_least_slip, 10 * contact.tolerance)};
+    model.static_friction = contact::StaticFriction{std::max(k_least_slip, 10 * contact.tolerance)};
   return model;
 }
 
-}  // namespace nilas
+}  // namespace nilas::sim

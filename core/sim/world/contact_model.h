@@ -10,16 +10,17 @@
 #include "core/choices/contact_choices.h"
 #include "core/scene/scene.h"
 
-namespace nilas {
+namespace nilas::sim {
 
 /// The correction of the poses after the step's own motion.
 enum class PositionStep { none, split_impulse, projection };
 
 struct ContactModel {
-  AssemblySettings assembly;
-  CorrectionSettings correction;
-  std::unique_ptr<ContactSolver> solver;          ///< solver "auto" runs after it with on_failure="retry"
-  std::optional<StaticFriction> static_friction;  ///< if some pair's static coefficient exceeds its kinetic one
+  contact::AssemblySettings assembly;
+  contact::CorrectionSettings correction;
+  std::unique_ptr<solvers::ContactSolver> solver;  ///< solver "auto" runs after it with on_failure="retry"
+  std::optional<contact::StaticFriction>
+      static_friction;  ///< if some pair's static coefficient exceeds its kinetic one
   PositionStep position_step = PositionStep::none;
   double theta = 1;           ///< share of the step's motion that follows the impulses
   bool hit_when_met = false;  ///< true if a contact that would bounce gets no impulse before it touches
@@ -32,17 +33,17 @@ struct ContactModel {
   double margin = 0;      ///< detection margin [m]; 0: follows from the speeds
 
   /// Settings for a substep of length h [s].
-  AssemblySettings assembly_over(double h) const;
-  CorrectionSettings correction_over(double h) const;
+  contact::AssemblySettings assembly_over(double h) const;
+  contact::CorrectionSettings correction_over(double h) const;
   /// Solves with the contacts that slipped in the last step. Writes the coefficient of each contact to `problem.mu`.
   /// `prepared` is of this `problem`.
-  StaticFrictionSolution solve(ContactProblem& problem, const PreparedProblem& prepared, const VecX& guess,
-                               const SlippingContacts& slipped) const;
+  contact::StaticFrictionSolution solve(contact::ContactProblem& problem, const contact::PreparedProblem& prepared,
+                                        const VecX& guess, const contact::SlippingContacts& slipped) const;
 };
 
 /// Whether some pair of materials has more static than kinetic friction, under a law with friction.
-bool has_static_friction(const ContactScene& contact);
+bool has_static_friction(const scene::ContactScene& contact);
 
-ContactModel build_contact_model(const ContactScene& contact, int threads);
+ContactModel build_contact_model(const scene::ContactScene& contact, int threads);
 
-}  // namespace nilas
+}  // namespace nilas::sim

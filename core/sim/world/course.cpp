@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace nilas {
+namespace nilas::sim {
 
 namespace {
 
@@ -18,7 +18,7 @@ class TowedOutline {
       : motion_(parts.carriage->motion), start_(motion_.at(t0)), corners_(corners(parts)) {}
 
   Box2 box(double t) const {
-    const CarriageMotion::State now = motion_.at(t);
+    const vessel::CarriageMotion::State now = motion_.at(t);
     const Eigen::Rotation2Dd turn(now.yaw - start_.yaw);
     Box2 box;
     for (const Vec2& corner : corners_) box.extend(Vec2(now.p.head<2>() + turn * (corner - Vec2(start_.p.head<2>()))));
@@ -36,13 +36,13 @@ class TowedOutline {
     return points;
   }
 
-  const CarriageMotion& motion_;
-  CarriageMotion::State start_;
+  const vessel::CarriageMotion& motion_;
+  vessel::CarriageMotion::State start_;
   std::vector<Vec2> corners_;
 };
 
 /// Name of the wall that a box crosses; empty if none.
-std::string crossed_wall(const TankScene& tank, const Box2& box) {
+std::string crossed_wall(const scene::TankScene& tank, const Box2& box) {
   const double side = 0.5 * tank.width;
   if (box.max().x() > tank.length) return fmt::format("the tank's end wall (x = {:g} m)", tank.length);
   if (box.min().x() < 0) return "the tank's start wall (x = 0 m)";
@@ -51,7 +51,7 @@ std::string crossed_wall(const TankScene& tank, const Box2& box) {
   return "";
 }
 
-bool ice_stays(const Scene& scene) {
+bool ice_stays(const scene::Scene& scene) {
   const auto at_rest = [](const auto& item) { return item.velocity.isZero(0); };
   return !(scene.water && scene.water->current && !scene.water->current->velocity.isZero(0)) &&
          !(scene.hydro && scene.hydro->virtual_drag && !scene.hydro->virtual_drag->velocity.isZero(0)) &&
@@ -59,10 +59,10 @@ bool ice_stays(const Scene& scene) {
          std::all_of(scene.ice->floes.begin(), scene.ice->floes.end(), at_rest);
 }
 
-Box2 box_of_ice(const Bodies& bodies) {
+Box2 box_of_ice(const bodies::Bodies& bodies) {
   Box2 box;
   for (std::size_t b = 0; b < bodies.id.size(); ++b)
-    if (bodies.kind[b] == BodyKind::floe)
+    if (bodies.kind[b] == bodies::BodyKind::floe)
       for (const Vec2& corner : bodies.shape[b]->outline)
         box.extend(Vec2((bodies.R_GB[b] * Vec3(corner.x(), corner.y(), 0) + bodies.p_GB[b]).head<2>()));
   return box;
@@ -80,7 +80,7 @@ double since_when(double before, double after, const Holds& holds) {
 
 }  // namespace
 
-std::optional<CourseForecast> course_forecast(const Scene& scene, const WorldParts& parts) {
+std::optional<CourseForecast> course_forecast(const scene::Scene& scene, const WorldParts& parts) {
   if (!parts.carriage || parts.info.course != CourseKind::carriage) return std::nullopt;
   const TowedOutline hull(parts, scene.time.start);
   CourseForecast forecast;
@@ -110,14 +110,14 @@ std::optional<CourseForecast> course_forecast(const Scene& scene, const WorldPar
   return forecast;
 }
 
-void describe_course(const Scene& scene, WorldParts& parts) {
+void describe_course(const scene::Scene& scene, WorldParts& parts) {
   if (!scene.tank || !parts.carriage) return;
   const Box2 hull = TowedOutline(parts, scene.time.start).box(scene.time.start);
   if (crossed_wall(*scene.tank, hull).empty()) parts.course_within = scene.tank;
 }
 
 /// Name of the wall that a body would cross with its present velocity; empty if none.
-static std::string wall_ahead(const TankScene& tank, const Bodies& bodies, int body, double h) {
+static std::string wall_ahead(const scene::TankScene& tank, const bodies::Bodies& bodies, int body, double h) {
   const auto b = static_cast<std::size_t>(body);
   const Vec3 &p = bodies.p_GB[b], &v = bodies.v_GB[b], &w = bodies.w_GB[b];
   // One step further: a hull that ends the step at the wall has hit it, and poses of Moreau lie half a step ahead.
@@ -149,4 +149,4 @@ std::string end_of_course(const WorldParts& parts, double t, double h) {
   return "";
 }
 
-}  // namespace nilas
+}  // namespace nilas::sim

@@ -5,7 +5,7 @@
 
 #include "core/sim/world/world.h"
 
-namespace nilas {
+namespace nilas::sim {
 
 /// Events on the course of a towed vessel, as far as known beforehand [s]. The hull is a rigid body on the carriage,
 /// and the ice stays in place.
@@ -17,13 +17,13 @@ struct CourseForecast {
   bool has_ice_at_rest = false;       ///< true if the two above are meaningful
 };
 /// The forecast; empty without a vessel on a moving carriage.
-std::optional<CourseForecast> course_forecast(const Scene& scene, const WorldParts& parts);
+std::optional<CourseForecast> course_forecast(const scene::Scene& scene, const WorldParts& parts);
 
 /// Fills course_within with the tank of a towed vessel that starts within its walls.
-void describe_course(const Scene& scene, WorldParts& parts);
+void describe_course(const scene::Scene& scene, WorldParts& parts);
 
 /// The reason why a run cannot take the step of length h [s] from time t [s], as a whole sentence: the carriage would
 /// drive the hull into a wall of the tank, or its path has ended. Empty where the run can continue.
 std::string end_of_course(const WorldParts& parts, double t, double h);
 
-}  // namespace nilas
+}  // namespace nilas::sim

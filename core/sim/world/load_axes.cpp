@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace nilas {
+namespace nilas::sim {
 
 namespace {
 
@@ -13,14 +13,14 @@ Vec2 unit(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
 /// Horizontal velocity of the drift against a fixed vessel or structure: the first non-zero one of the virtual drag,
 /// the current, and the velocities of the ice.
-Vec2 drift_of(const Scene& scene) {
+Vec2 drift_of(const scene::Scene& scene) {
   std::vector<Vec3> named;
   if (scene.hydro && scene.hydro->virtual_drag) named.push_back(scene.hydro->virtual_drag->velocity);
   if (scene.water && scene.water->current) named.push_back(scene.water->current->velocity);
   if (scene.ice) {
-    for (const FieldScene& field : scene.ice->fields)
+    for (const scene::FieldScene& field : scene.ice->fields)
       if (!field.fixed) named.push_back(field.velocity);
-    for (const FloeScene& floe : scene.ice->floes)
+    for (const scene::FloeScene& floe : scene.ice->floes)
       if (!floe.fixed) named.push_back(floe.velocity);
   }
   for (const Vec3& velocity : named)
@@ -28,14 +28,14 @@ Vec2 drift_of(const Scene& scene) {
   return Vec2::Zero();
 }
 
-bool all_breakable(const IceScene& ice) {
+bool all_breakable(const scene::IceScene& ice) {
   const auto breaks = [](const auto& item) { return item.breakable; };
   return std::all_of(ice.fields.begin(), ice.fields.end(), breaks) &&
          std::all_of(ice.floes.begin(), ice.floes.end(), breaks);
 }
 
-double horizontal_extent(const Bodies& bodies, std::size_t b) {
-  const Shape& shape = *bodies.shape[b];
+double horizontal_extent(const bodies::Bodies& bodies, std::size_t b) {
+  const geometry::Shape& shape = *bodies.shape[b];
   if (shape.surface.vertices.empty()) return std::isfinite(shape.bounding_radius) ? 2 * shape.bounding_radius : 0;
   Vec2 low = Vec2::Constant(1e300), high = -low;
   for (const Vec3& vertex : shape.surface.vertices) {
@@ -46,7 +46,7 @@ double horizontal_extent(const Bodies& bodies, std::size_t b) {
   return (high - low).maxCoeff();
 }
 
-double length_along_x(const Shape& hull) {
+double length_along_x(const geometry::Shape& hull) {
   double low = 0, high = 0;
   for (const Vec3& vertex : hull.surface.vertices) {
     low = std::min(low, vertex.x());
@@ -57,7 +57,7 @@ double length_along_x(const Shape& hull) {
 
 }  // namespace
 
-void describe_loads(const Scene& scene, WorldParts& parts) {
+void describe_loads(const scene::Scene& scene, WorldParts& parts) {
   RunInfo& info = parts.info;
   const Vec2 drift = drift_of(scene);
   const bool drifts = drift.norm() > k_at_rest;
@@ -81,15 +81,15 @@ void describe_loads(const Scene& scene, WorldParts& parts) {
       info.structures.push_back({parts.bodies.name[b], horizontal_extent(parts.bodies, b)});
 }
 
-bool is_structure(const Bodies& bodies, std::size_t b) {
-  return bodies.kind[b] == BodyKind::rigid && bodies.motion[b] == Motion::fixed &&
-         bodies.shape[b]->kind != ShapeKind::plane;
+bool is_structure(const bodies::Bodies& bodies, std::size_t b) {
+  return bodies.kind[b] == bodies::BodyKind::rigid && bodies.motion[b] == bodies::Motion::fixed &&
+         bodies.shape[b]->kind != geometry::ShapeKind::plane;
 }
 
 Vec2 course_at(const WorldParts& parts, double t) {
   if (parts.info.course == CourseKind::drift) return parts.info.drift_course;
   if (parts.info.course == CourseKind::carriage) {
-    const CarriageMotion& motion = parts.carriage->motion;
+    const vessel::CarriageMotion& motion = parts.carriage->motion;
     if (!motion.follows_path()) return unit(motion.direction());
     const Vec2 v = motion.at(t).v.head<2>();
     if (v.norm() > k_at_rest) return v.normalized();
@@ -100,4 +100,4 @@ Vec2 course_at(const WorldParts& parts, double t) {
   return heading.norm() > k_at_rest ? Vec2(heading.normalized()) : Vec2(Vec2::UnitX());
 }
 
-}  // namespace nilas
+}  // namespace nilas::sim

@@ -18,24 +18,25 @@
 #include "core/vessel/vessel_system.h"
 #include "hydro/water.h"
 
-namespace nilas {
+namespace nilas::sim {
 
 struct WorldParts {
-  Bodies bodies;
-  std::optional<Water> water;
-  std::vector<std::unique_ptr<Module>> modules;  ///< modules of the scene, in the order of the module list
-  std::vector<Module*> forces;                   ///< the modules that exert loads
-  std::optional<VesselSystem> vessel;
-  std::optional<CarriageModel> carriage;   ///< only for a towed vessel
-  std::optional<TankScene> course_within;  ///< tank whose walls end a towed vessel's course
-  std::optional<VesselModel> vessel_model;
+  bodies::Bodies bodies;
+  std::optional<hydro::Water> water;
+  std::vector<std::unique_ptr<bodies::Module>> modules;  ///< modules of the scene, in the order of the module list
+  std::vector<bodies::Module*> forces;                   ///< the modules that exert loads
+  std::optional<vessel::VesselSystem> vessel;
+  std::optional<vessel::CarriageModel> carriage;  ///< only for a towed vessel
+  std::optional<scene::TankScene> course_within;  ///< tank whose walls end a towed vessel's course
+  std::optional<vessel::VesselModel> vessel_model;
   int vessel_index = -1;                    ///< index of its hull
   std::string restless;                     ///< name of the part that prevents a towed vessel from starting at rest
   int num_parts = 0;                        ///< number of the vessel's parts, whose bodies follow the hull's in order
   std::vector<std::pair<int, int>> joined;  ///< pairs of bodies a < b that a joint connects, in rising order
   std::vector<PlannedIce> ice;              ///< its floes have the order of their bodies
-  std::unique_ptr<IceProperties> ice_properties;  ///< present in a scene with <fracture> and ice; modules refer to it
-  FrictionPairs friction;
+  std::unique_ptr<bodies::IceProperties>
+      ice_properties;  ///< present in a scene with <fracture> and ice; modules refer to it
+  contact::FrictionPairs friction;
   RunInfo info;
 
   /// Whether the vessel has parts or rods.
@@ -51,15 +52,15 @@ struct WorldParts {
 };
 
 /// Adds the vessel to `bodies` and builds its system. Returns the index of its hull.
-int build_vessel(const Scene& scene, WorldParts& parts);
+int build_vessel(const scene::Scene& scene, WorldParts& parts);
 /// Plans the floes of all fields and the single floes, and adds their bodies. The result does not depend on `threads`,
 /// which share the drawing of properties.
-void build_ice(const Scene& scene, int threads, WorldParts& parts, WarningCounts& warnings);
+void build_ice(const scene::Scene& scene, int threads, WorldParts& parts, WarningCounts& warnings);
 /// Adds tank walls and <body> elements.
-void build_structures(const Scene& scene, WorldParts& parts);
+void build_structures(const scene::Scene& scene, WorldParts& parts);
 
 /// Throws InputError naming the pair when two bodies, one of them a floe or the vessel, overlap at the start by more
 /// than the scene tolerates.
-void refuse_overlaps(const Scene& scene, const WorldParts& parts);
+void refuse_overlaps(const scene::Scene& scene, const WorldParts& parts);
 
-}  // namespace nilas
+}  // namespace nilas::sim

@@ -7,9 +7,9 @@
 #include "contact/detect/broad/fast_pairs.h"
 #include "core/base/error.h"
 
-namespace nilas {
+namespace nilas::sim {
 
-World::World(const Scene& scene, int thread_count, WarningCounts& warning_counts, WorldParts built)
+World::World(const scene::Scene& scene, int thread_count, WarningCounts& warning_counts, WorldParts built)
     : parts(std::move(built)),
       warnings(warning_counts),
       threads(thread_count),
@@ -24,9 +24,9 @@ World::World(const Scene& scene, int thread_count, WarningCounts& warning_counts
   energy = EnergyAccount(parts.info.work_names, kinetic_energy(parts.bodies), potential());
 }
 
-void World::follow_bodies(const std::vector<NewPiece>& pieces) {
-  width = smallest_widths(parts.bodies);
-  floes = static_cast<int>(std::count(parts.bodies.kind.begin(), parts.bodies.kind.end(), BodyKind::floe));
+void World::follow_bodies(const std::vector<fracture::NewPiece>& pieces) {
+  width = detect::smallest_widths(parts.bodies);
+  floes = static_cast<int>(std::count(parts.bodies.kind.begin(), parts.bodies.kind.end(), bodies::BodyKind::floe));
   weight.assign(size(), Wrench{});
   for (std::size_t b = 0; b < size(); ++b) weight[b].force = parts.bodies.mass[b] * gravity;
   for (const auto& module : parts.modules) module->follow(parts.bodies, pieces);
@@ -34,13 +34,13 @@ void World::follow_bodies(const std::vector<NewPiece>& pieces) {
 
 double World::potential() {
   double sum = weight_energy(parts.bodies, gravity);
-  for (Module* module : parts.forces)
+  for (bodies::Module* module : parts.forces)
     if (module->conservative()) sum += module->potential_energy(parts.bodies);
   return sum;
 }
 
 void World::demand_finite(double t) const {
-  const Bodies& bodies = parts.bodies;
+  const bodies::Bodies& bodies = parts.bodies;
   for (std::size_t b = 0; b < size(); ++b)
     if (!(bodies.p_GB[b].allFinite() && bodies.v_GB[b].allFinite() && bodies.w_GB[b].allFinite() &&
           bodies.q_GB[b].coeffs().allFinite()))
@@ -74,7 +74,7 @@ void World::save(StateWriter out) const {
 
 void World::restore(const StateReader& in) {
   in.get("steps", steps);
-  const auto state_of = [&](const Module& module) { return in.group("module_" + module.name()); };
+  const auto state_of = [&](const bodies::Module& module) { return in.group("module_" + module.name()); };
   for (const auto& module : parts.modules) module->restore_bodies(state_of(*module), parts.bodies);
   follow_bodies({});
   detector.follow(parts.bodies);
@@ -92,4 +92,4 @@ void World::restore(const StateReader& in) {
   for (const auto& module : parts.modules) module->restore(state_of(*module));
 }
 
-}  // namespace nilas
+}  // namespace nilas::sim

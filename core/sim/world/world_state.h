@@ -12,11 +12,11 @@
 #include "core/sim/world/contact_model.h"
 #include "core/sim/world/world.h"
 
-namespace nilas {
+namespace nilas::sim {
 
 struct World {
   /// Starts from `built`. `warnings` must outlive this object.
-  World(const Scene& scene, int threads, WarningCounts& warnings, WorldParts built);
+  World(const scene::Scene& scene, int threads, WarningCounts& warnings, WorldParts built);
   World(const World&) = delete;
   World& operator=(const World&) = delete;
 
@@ -25,7 +25,7 @@ struct World {
   double time() const { return start + static_cast<double>(steps) * step; }
   double potential();
   /// Updates all per-body data after bodies changed. `pieces`: new bodies that replace a floe.
-  void follow_bodies(const std::vector<NewPiece>& pieces);
+  void follow_bodies(const std::vector<fracture::NewPiece>& pieces);
   /// Throws SimulationError naming a body whose state is not finite or exceeds all bounds. `t`: present time [s].
   void demand_finite(double t) const;
 
@@ -44,17 +44,17 @@ struct World {
 
   // State.
   long steps = 0;
-  ContactDetector detector;
-  WarmStart warm;
-  SlippingContacts slipping;
+  detect::ContactDetector detector;
+  contact::WarmStart warm;
+  contact::SlippingContacts slipping;
   EnergyAccount energy;
   std::set<std::pair<int, int>> unnamed_pairs;  ///< pairs of materials in contact that no <friction> names
-  std::vector<SolvedProblem> solved;            ///< problems of the last step, one per substep
+  std::vector<contact::SolvedProblem> solved;   ///< problems of the last step, one per substep
 
   // Derived from the bodies.
   int floes = 0;
-  Wrenches weight;
+  bodies::Wrenches weight;
   std::vector<double> width;  ///< smallest width of each body [m]
 };
 
-}  // namespace nilas
+}  // namespace nilas::sim

@@ -5,7 +5,7 @@
 #include "core/base/error.h"
 #include "core/vessel/model/vessel_model.h"
 
-namespace nilas {
+namespace nilas::vessel {
 
 /// Natural cubic spline through (x, y, yaw), relative to the first row. The spline of SimTK (SplineFitter with
 /// smoothing 0) agrees within 1e-11 m, but is not used. It needs at least four rows where a straight path has two,
@@ -133,4 +133,4 @@ CarriageMotion::Moment CarriageMotion::moment(double t, double within) const {
   return moment;
 }
 
-}  // namespace nilas
+}  // namespace nilas::vessel

@@ -5,7 +5,7 @@
 #include "core/base/csv.h"
 #include "core/base/error.h"
 
-namespace nilas {
+namespace nilas::vessel {
 
 std::array<LoadCell, 6> default_cells(double arm) {
   NILAS_DEMAND(arm > 0);
@@ -92,4 +92,4 @@ Mat6 condensed_stiffness(const Mat6& cell_wrenches, double stiffness, const std:
   return K.selfadjointView<Eigen::Lower>();
 }
 
-}  // namespace nilas
+}  // namespace nilas::vessel

@@ -7,7 +7,7 @@
 #include "core/base/math.h"
 #include "core/vessel/model/vessel_model.h"
 
-namespace nilas {
+namespace nilas::vessel {
 
 /// The matrix whose column k is the wrench on the vessel from one newton of tension in cell k, so that readings =
 /// matrix^-1 wrench.
@@ -31,4 +31,4 @@ Mat6 cell_shortenings(const Mat6& cell_wrenches, const std::vector<int>& free);
 /// stiffness A A^T. Rows and columns of `free` are exactly zero. `stiffness`: that of each cell [N/m].
 Mat6 condensed_stiffness(const Mat6& cell_wrenches, double stiffness, const std::vector<int>& free);
 
-}  // namespace nilas
+}  // namespace nilas::vessel

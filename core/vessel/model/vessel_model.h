@@ -12,7 +12,7 @@
 #include "core/geometry/mass_properties.h"
 #include "core/vessel/model/vessel_parts.h"
 
-namespace nilas {
+namespace nilas::vessel {
 
 /// One uniaxial load cell: a point and an axis in the carriage's frame, from the joint. The axis points from vessel to
 /// carriage and tension is positive. A carriage that pulls the vessel along +axis reads positive; a load of 120 N on
@@ -82,10 +82,10 @@ struct CarriageModel {
 };
 
 struct VesselModel {
-  MassProperties mass;    ///< centre of mass, and inertia about it, in V
-  Pose pose_V;            ///< pose of V in G at the start; on a carriage: before it moves
-  Vec3 v = Vec3::Zero();  ///< initial velocity of a free vessel's centre of mass [m/s]
-  Vec3 w = Vec3::Zero();  ///< initial angular velocity of a free vessel [rad/s]
+  geometry::MassProperties mass;  ///< centre of mass, and inertia about it, in V
+  Pose pose_V;                    ///< pose of V in G at the start; on a carriage: before it moves
+  Vec3 v = Vec3::Zero();          ///< initial velocity of a free vessel's centre of mass [m/s]
+  Vec3 w = Vec3::Zero();          ///< initial angular velocity of a free vessel [rad/s]
   bool fixed = false;
   std::optional<CarriageModel> carriage;  ///< a vessel that is neither fixed nor on a carriage is free
   bool gyroscopic = true;
@@ -183,4 +183,4 @@ struct JointAccount {
   VecX rods;  ///< mean tension of each rod over the step, positive where it pulls [N]
 };
 
-}  // namespace nilas
+}  // namespace nilas::vessel

@@ -9,7 +9,7 @@
 #include "core/base/math.h"
 #include "core/choices/vessel_choices.h"
 
-namespace nilas {
+namespace nilas::vessel {
 
 /// A body and the joint that connects it to the hull or to an earlier part. V: the frame of the vessel.
 struct PartModel {
@@ -36,4 +36,4 @@ struct RodModel {
   std::optional<double> length;  ///< [m]; empty: the initial distance of its ends
 };
 
-}  // namespace nilas
+}  // namespace nilas::vessel

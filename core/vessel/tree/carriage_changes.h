@@ -2,7 +2,7 @@
 /// Changes of a carriage's speeds at one instant.
 #include "core/vessel/model/vessel_model.h"
 
-namespace nilas {
+namespace nilas::vessel {
 
 /// The carriage at the same place with zero speeds.
 inline CarriageMotion::State stopped(CarriageMotion::State carriage) {
@@ -27,4 +27,4 @@ inline CarriageMotion::State change_between(const CarriageMotion::State& before,
   return change;
 }
 
-}  // namespace nilas
+}  // namespace nilas::vessel

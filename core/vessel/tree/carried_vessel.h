@@ -7,7 +7,7 @@
 #include "core/vessel/tree/vessel_motion.h"
 #include "core/vessel/tree/vessel_tree.h"
 
-namespace nilas {
+namespace nilas::vessel {
 
 /// The joint between vessel and carriage. model.carriage must be present.
 TreeJoint carriage_joint(const VesselModel& model);
@@ -86,4 +86,4 @@ class CarriedVessel : public VesselMotion {
 /// The vessel on its carriage in the theta scheme on impulses. model.theta must be present.
 std::unique_ptr<VesselMotion> make_moreau_carried_vessel(const VesselModel& model, double t0);
 
-}  // namespace nilas
+}  // namespace nilas::vessel

@@ -4,7 +4,7 @@
 
 #include "core/base/error.h"
 
-namespace nilas {
+namespace nilas::vessel {
 
 namespace {
 
@@ -64,4 +64,4 @@ double CellForces::energy(const SimTK::State& state) const {
   return sum;
 }
 
-}  // namespace nilas
+}  // namespace nilas::vessel

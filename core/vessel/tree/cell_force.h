@@ -5,7 +5,7 @@
 #include "core/vessel/tree/simbody.h"
 #include "core/vessel/tree/vessel_tree.h"
 
-namespace nilas {
+namespace nilas::vessel {
 
 class CellForces {
  public:
@@ -21,4 +21,4 @@ class CellForces {
   std::vector<SimTK::Force::Custom> cells_;
 };
 
-}  // namespace nilas
+}  // namespace nilas::vessel

@@ -5,7 +5,7 @@
 
 #include "core/base/math.h"
 
-namespace nilas {
+namespace nilas::vessel {
 
 namespace {
 
@@ -41,4 +41,4 @@ ExponentialMode exponential_mode(double omega, double damping_time, double h) {
   return ratio < 1 ? oscillating(a, ratio) : creeping(a, ratio);
 }
 
-}  // namespace nilas
+}  // namespace nilas::vessel

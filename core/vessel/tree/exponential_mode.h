@@ -1,7 +1,7 @@
 #pragma once
 /// One step of a damped oscillator that is exact however stiff the oscillator is.
 
-namespace nilas {
+namespace nilas::vessel {
 
 /// The step of x'' + 2 zeta omega x' + omega^2 x = p in the speed v = (x - x of the step before) / h:
 ///
@@ -35,4 +35,4 @@ ExponentialMode exponential_mode(double omega, double damping_time, double h);
 /// Smallest permitted damping ratio of a mode with omega h = a: 0 up to pi/2, 1 from pi on.
 double least_damping_ratio(double a);
 
-}  // namespace nilas
+}  // namespace nilas::vessel

@@ -3,7 +3,7 @@
 #include "core/vessel/model/cells.h"
 #include "core/vessel/tree/carried_vessel.h"
 
-namespace nilas {
+namespace nilas::vessel {
 
 HullCells hull_cells(const CarriageModel& carriage, int speeds) {
   const Mat6 wrenches = cell_wrenches(carriage.cells);
@@ -21,4 +21,4 @@ std::vector<int> loose_speeds(const JointedTree& tree, const std::optional<HullC
   return loose;
 }
 
-}  // namespace nilas
+}  // namespace nilas::vessel

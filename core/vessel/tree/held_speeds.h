@@ -5,7 +5,7 @@
 
 #include "core/vessel/tree/jointed_tree.h"
 
-namespace nilas {
+namespace nilas::vessel {
 
 /// The carriage's cells in the form that the step needs.
 struct HullCells {
@@ -20,4 +20,4 @@ HullCells hull_cells(const CarriageModel& carriage, int speeds);
 /// Speeds that neither a joint's spring nor a cell holds, in rising order.
 std::vector<int> loose_speeds(const JointedTree& tree, const std::optional<HullCells>& cells);
 
-}  // namespace nilas
+}  // namespace nilas::vessel

@@ -2,7 +2,7 @@
 
 #include "core/vessel/tree/rods.h"
 
-namespace nilas {
+namespace nilas::vessel {
 
 namespace {
 
@@ -121,4 +121,4 @@ VecX drift(JointedTree& tree, CarriageMotion::State& carriage, double time, cons
   return tree.num_rods() > 0 ? return_to_rates(tree) : VecX();
 }
 
-}  // namespace nilas
+}  // namespace nilas::vessel

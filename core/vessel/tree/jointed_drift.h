@@ -4,7 +4,7 @@
 
 #include "core/vessel/tree/jointed_tree.h"
 
-namespace nilas {
+namespace nilas::vessel {
 
 /// Function that is called at the stages of the scheme, with the tree in the stage's state. Arguments: the carriage,
 /// the time that the stage represents [s], the accelerations of the n speeds and the tensions of the rods. Sums
@@ -21,4 +21,4 @@ VecX drift(JointedTree& tree, CarriageMotion::State& carriage, double time, cons
 /// Accelerations of the n speeds under the loads alone, without springs and dampers. The carriage does not accelerate.
 VecX accelerations_under(const JointedTree& tree, const std::vector<Wrench>& loads);
 
-}  // namespace nilas
+}  // namespace nilas::vessel

@@ -11,7 +11,7 @@
 #include "core/vessel/tree/carriage_changes.h"
 #include "core/vessel/tree/carried_vessel.h"
 
-namespace nilas {
+namespace nilas::vessel {
 
 namespace {
 
@@ -48,7 +48,7 @@ class RestSearch {
   VecX force_at(const VecX& along);
   MatX restored(const std::vector<int>& loose);
   void choose_directions();
-  VecX balance(const VecX& start, NonlinearSolution& found);
+  VecX balance(const VecX& start, numerics::NonlinearSolution& found);
   std::optional<int> who_moves(const VecX& along);
   Wrench carried_at(const VecX& along);
   std::vector<Pose> poses() const;
@@ -173,7 +173,7 @@ void RestSearch::choose_directions() {
 }
 
 /// Searches the balance from `start`. Returns the displacement along the speeds.
-VecX RestSearch::balance(const VecX& start, NonlinearSolution& found) {
+VecX RestSearch::balance(const VecX& start, numerics::NonlinearSolution& found) {
   VecX force(tree_.num_speeds()), move(tree_.num_speeds());
   for (int i = 0; i < tree_.num_speeds(); ++i) {
     const Along& along = speeds_[i];
@@ -181,10 +181,10 @@ VecX RestSearch::balance(const VecX& start, NonlinearSolution& found) {
     move[i] = along.move;
   }
   const auto at = [&](const VecX& x) { return VecX(move.cwiseProduct(directions_ * x)); };
-  const NonlinearEquations equations = [&](const VecX& x, VecX& f) {
+  const numerics::NonlinearEquations equations = [&](const VecX& x, VecX& f) {
     f = directions_.transpose() * force_at(at(x)).cwiseQuotient(force);
   };
-  found = solve_nonlinear(equations, directions_.transpose() * start.cwiseQuotient(move));
+  found = numerics::solve_nonlinear(equations, directions_.transpose() * start.cwiseQuotient(move));
   return at(found.x);
 }
 
@@ -223,7 +223,7 @@ Wrench RestSearch::carried_at(const VecX& along) {
 JointedRest RestSearch::find() {
   VecX along = VecX::Zero(tree_.num_speeds());
   if (directions_.cols() > 0) {
-    NonlinearSolution found;
+    numerics::NonlinearSolution found;
     along = balance(along, found);
     if (!found.converged && heave_ && rest_.heave != 0) {  // above the water, the forces do not show the direction
       VecX start = VecX::Zero(tree_.num_speeds());
@@ -247,4 +247,4 @@ JointedRest jointed_rest(JointedTree& tree, const VesselModel& model, const Rest
   return RestSearch(tree, model, rest, carriage).find();
 }
 
-}  // namespace nilas
+}  // namespace nilas::vessel

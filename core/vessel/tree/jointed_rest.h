@@ -4,7 +4,7 @@
 
 #include "core/vessel/tree/jointed_tree.h"
 
-namespace nilas {
+namespace nilas::vessel {
 
 struct JointedRest {
   VecX coordinates;           ///< coordinates of the tree
@@ -21,4 +21,4 @@ struct JointedRest {
 JointedRest jointed_rest(JointedTree& tree, const VesselModel& model, const RestModel& rest,
                          const CarriageMotion::State& carriage);
 
-}  // namespace nilas
+}  // namespace nilas::vessel

@@ -3,7 +3,7 @@
 #include "core/base/error.h"
 #include "core/vessel/tree/jointed_tree_implementation.h"
 
-namespace nilas {
+namespace nilas::vessel {
 
 namespace {
 
@@ -325,4 +325,4 @@ void JointedTree::displace(const VecX& along_speeds) {
   normalise_quaternions();
 }
 
-}  // namespace nilas
+}  // namespace nilas::vessel

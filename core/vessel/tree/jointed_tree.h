@@ -9,7 +9,7 @@
 
 #include "core/vessel/model/vessel_model.h"
 
-namespace nilas {
+namespace nilas::vessel {
 
 class JointedTree {
  public:
@@ -94,4 +94,4 @@ class JointedTree {
   std::unique_ptr<Implementation> implementation_;
 };
 
-}  // namespace nilas
+}  // namespace nilas::vessel

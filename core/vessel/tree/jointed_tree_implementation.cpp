@@ -5,13 +5,13 @@
 #include "core/base/error.h"
 #include "core/vessel/tree/carried_vessel.h"
 
-namespace nilas {
+namespace nilas::vessel {
 
 namespace {
 
 void demand_body(double mass, const Mat3& inertia, const std::string& where) {
   if (!(mass > 0)) throw InputError(where + ": the mass must be > 0 kg");
-  if (!physically_valid_inertia(inertia))
+  if (!geometry::physically_valid_inertia(inertia))
     throw InputError(where +
                      ": the inertia about the centre of mass must be symmetric, its principal moments positive and "
                      "none larger than the sum of the other two");
@@ -128,4 +128,4 @@ void JointedTree::Implementation::place_free_hull(const VesselModel& model, cons
   }
 }
 
-}  // namespace nilas
+}  // namespace nilas::vessel

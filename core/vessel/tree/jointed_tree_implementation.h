@@ -7,7 +7,7 @@
 #include "core/vessel/tree/simbody_bodies.h"
 #include "core/vessel/tree/tree_rods.h"
 
-namespace nilas {
+namespace nilas::vessel {
 
 /// Whether a joint has one coordinate.
 inline bool has_one_coordinate(JointKind kind) { return kind == JointKind::hinge || kind == JointKind::slider; }
@@ -55,4 +55,4 @@ struct JointedTree::Implementation {
   VecX stiffness, damping;
 };
 
-}  // namespace nilas
+}  // namespace nilas::vessel

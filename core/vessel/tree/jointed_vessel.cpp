@@ -6,7 +6,7 @@
 #include "core/vessel/tree/jointed_rest.h"
 #include "core/vessel/tree/rods.h"
 
-namespace nilas {
+namespace nilas::vessel {
 
 namespace {
 
@@ -148,4 +148,4 @@ std::unique_ptr<VesselMotion> make_jointed_vessel(const VesselModel& model, doub
   return std::make_unique<JointedVessel>(model, t0);
 }
 
-}  // namespace nilas
+}  // namespace nilas::vessel

@@ -7,7 +7,7 @@
 #include "core/vessel/tree/jointed_tree.h"
 #include "core/vessel/tree/vessel_motion.h"
 
-namespace nilas {
+namespace nilas::vessel {
 
 /// Impulses of joints and rods in one step, in G [N s, N m s].
 struct JointImpulses {
@@ -90,4 +90,4 @@ class JointedVessel : public VesselMotion {
   JointImpulses impulses_;
 };
 
-}  // namespace nilas
+}  // namespace nilas::vessel

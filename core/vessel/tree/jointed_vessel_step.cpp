@@ -8,7 +8,7 @@
 #include "core/vessel/tree/rods.h"
 #include "core/vessel/tree/stiff_block.h"
 
-namespace nilas {
+namespace nilas::vessel {
 
 namespace {
 
@@ -263,4 +263,4 @@ void JointedVessel::finish_step(const Wrench& contact) {
   read_loads(given);
 }
 
-}  // namespace nilas
+}  // namespace nilas::vessel

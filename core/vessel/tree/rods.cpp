@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace nilas {
+namespace nilas::vessel {
 
 namespace {
 
@@ -167,4 +167,4 @@ std::optional<RodFault> rod_fault(const VesselModel& model, double t0) {
   return start_fault(model, tree);
 }
 
-}  // namespace nilas
+}  // namespace nilas::vessel

@@ -5,7 +5,7 @@
 
 #include "core/vessel/tree/jointed_tree.h"
 
-namespace nilas {
+namespace nilas::vessel {
 
 /// Speeds (or accelerations) that obey the rods, and the impulses (or forces) of tension that cause them.
 struct HeldByRods {
@@ -45,4 +45,4 @@ std::optional<RodFault> rod_fault(const VesselModel& model, double t0);
 /// Sets the lengths of the rods of a tree in the model's initial state, and moves the tree to a state that obeys them.
 void start_on_rods(const VesselModel& model, JointedTree& tree);
 
-}  // namespace nilas
+}  // namespace nilas::vessel

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace nilas {
+namespace nilas::vessel {
 
 SimTK::Transform to_simbody(const Pose& pose) {
   return {SimTK::Rotation(SimTK::Quaternion(pose.q.w(), pose.q.x(), pose.q.y(), pose.q.z())), to_simbody(pose.p)};
@@ -72,4 +72,4 @@ SimTK::MobilizedBody add_part(SimTK::MobilizedBody& parent, const Pose& parent_i
   return SimTK::MobilizedBody::Weld(parent, on_parent, body, on_part);
 }
 
-}  // namespace nilas
+}  // namespace nilas::vessel

@@ -5,7 +5,7 @@
 #include "core/vessel/tree/simbody.h"
 #include "core/vessel/tree/vessel_tree.h"
 
-namespace nilas {
+namespace nilas::vessel {
 
 inline SimTK::Vec3 to_simbody(const Vec3& a) { return {a.x(), a.y(), a.z()}; }
 inline Vec3 from_simbody(const SimTK::Vec3& a) { return {a[0], a[1], a[2]}; }
@@ -25,4 +25,4 @@ SimTK::MobilizedBody add_carried(SimTK::MobilizedBody& carriage, const SimTK::Bo
 /// Adds a part to its parent. At zero joint coordinates both have their places in V.
 SimTK::MobilizedBody add_part(SimTK::MobilizedBody& parent, const Pose& parent_in_V, const PartModel& part);
 
-}  // namespace nilas
+}  // namespace nilas::vessel

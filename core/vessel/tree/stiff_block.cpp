@@ -6,7 +6,7 @@
 #include "core/base/error.h"
 #include "core/vessel/tree/exponential_mode.h"
 
-namespace nilas {
+namespace nilas::vessel {
 
 namespace {
 
@@ -118,4 +118,4 @@ StiffBlock stiff_block(const MatX& mass, const MatX& stiffness, double damping_t
   return block;
 }
 
-}  // namespace nilas
+}  // namespace nilas::vessel

@@ -5,7 +5,7 @@
 
 #include "core/base/math.h"
 
-namespace nilas {
+namespace nilas::vessel {
 
 /// The step of M u' + damping_time K u + K q = F with an unknown impulse r, in the speeds u = (q - q of the step
 /// before) / h:
@@ -39,4 +39,4 @@ std::vector<std::vector<int>> coupled_sets(const MatX& mass, const MatX& stiffne
 StiffBlock stiff_block(const MatX& mass, const MatX& stiffness, double damping_time, const std::vector<int>& free,
                        double h);
 
-}  // namespace nilas
+}  // namespace nilas::vessel

@@ -3,7 +3,7 @@
 #include "core/base/error.h"
 #include "core/vessel/tree/simbody_bodies.h"
 
-namespace nilas {
+namespace nilas::vessel {
 
 void TreeRods::add(SimTK::SimbodyMatterSubsystem& matter, SimTK::MobilizedBody& mobilized, int body, const Vec3& at_B,
                    const Vec3& to_G) {
@@ -67,4 +67,4 @@ std::vector<Wrench> TreeRods::loads(const VecX& tensions, std::size_t bodies, co
   return loads;
 }
 
-}  // namespace nilas
+}  // namespace nilas::vessel

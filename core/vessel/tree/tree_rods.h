@@ -4,7 +4,7 @@
 
 #include "core/vessel/tree/simbody.h"
 
-namespace nilas {
+namespace nilas::vessel {
 
 class TreeRods {
  public:
@@ -36,4 +36,4 @@ class TreeRods {
   std::vector<Rod> rods_;
 };
 
-}  // namespace nilas
+}  // namespace nilas::vessel

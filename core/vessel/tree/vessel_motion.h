@@ -5,7 +5,7 @@
 #include "core/base/state.h"
 #include "core/vessel/model/vessel_model.h"
 
-namespace nilas {
+namespace nilas::vessel {
 
 class VesselMotion {
  public:
@@ -50,7 +50,7 @@ class VesselMotion {
   Mat3 inertia_G() const;                            ///< R I R^T at the present pose
   Vec3 turning(const Vec3& angular_momentum) const;  ///< angular velocity for this angular momentum at the present pose
 
-  MassProperties mass_;  ///< inertia about the centre of mass, axes of V
+  geometry::MassProperties mass_;  ///< inertia about the centre of mass, axes of V
   Eigen::LLT<Mat3> inertia_factor_;
   VesselState state_;
   CarriageLoads loads_;
@@ -72,4 +72,4 @@ std::unique_ptr<VesselMotion> make_carried_vessel(const VesselModel& model, doub
 /// A hull with parts or rods, for every kind of support. Throws InputError for an impossible part, rod or carriage.
 std::unique_ptr<VesselMotion> make_jointed_vessel(const VesselModel& model, double t0);
 
-}  // namespace nilas
+}  // namespace nilas::vessel

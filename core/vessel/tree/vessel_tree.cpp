@@ -4,7 +4,7 @@
 #include "core/vessel/tree/cell_force.h"
 #include "core/vessel/tree/simbody_bodies.h"
 
-namespace nilas {
+namespace nilas::vessel {
 
 struct VesselTree::Implementation {
   /// Completes the tree and fills the state. `carriage_speeds`: number of the carriage's speeds, which come first.
@@ -55,13 +55,13 @@ SimTK::Vector VesselTree::Implementation::missing_forces(const SimTK::Vector_<Si
   return missing;
 }
 
-VesselTree::VesselTree(const MassProperties& mass) : implementation_(std::make_unique<Implementation>()) {
+VesselTree::VesselTree(const geometry::MassProperties& mass) : implementation_(std::make_unique<Implementation>()) {
   Implementation& tree = *implementation_;
   tree.vessel = SimTK::MobilizedBody::Free(tree.matter.updGround(), rigid_body(mass.mass, mass.inertia));
   tree.complete(0);
 }
 
-VesselTree::VesselTree(const MassProperties& mass, const TreeJoint& joint, const std::vector<TreeCell>& cells)
+VesselTree::VesselTree(const geometry::MassProperties& mass, const TreeJoint& joint, const std::vector<TreeCell>& cells)
     : implementation_(std::make_unique<Implementation>()) {
   Implementation& tree = *implementation_;
   tree.planar = add_carriage(tree.matter, joint);
@@ -173,4 +173,4 @@ Wrench VesselTree::reaction(const Wrench& load, const VecX& accelerations, const
   return {force, from_simbody(at_joint[0]) + arm.cross(force)};
 }
 
-}  // namespace nilas
+}  // namespace nilas::vessel

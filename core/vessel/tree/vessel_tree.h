@@ -8,7 +8,7 @@
 #include "core/geometry/mass_properties.h"
 #include "core/vessel/model/vessel_model.h"
 
-namespace nilas {
+namespace nilas::vessel {
 
 /// The joint between vessel and carriage. The carriage's frame C has its origin at the joint point and turns with its
 /// yaw.
@@ -29,10 +29,10 @@ struct TreeCell {
 class VesselTree {
  public:
   /// Free vessel. Coordinates: quaternion (w, x, y, z) and position of B; speeds: angular velocity and velocity in G.
-  explicit VesselTree(const MassProperties& mass);
+  explicit VesselTree(const geometry::MassProperties& mass);
   /// Vessel on a carriage with prescribed yaw and position. Speeds are the rates of the coordinates. Each of the cells
   /// is a force element of Simbody.
-  VesselTree(const MassProperties& mass, const TreeJoint& joint, const std::vector<TreeCell>& cells = {});
+  VesselTree(const geometry::MassProperties& mass, const TreeJoint& joint, const std::vector<TreeCell>& cells = {});
   ~VesselTree();
   VesselTree(VesselTree&&) noexcept;
   VesselTree& operator=(VesselTree&&) noexcept;
@@ -63,4 +63,4 @@ class VesselTree {
   std::unique_ptr<Implementation> implementation_;
 };
 
-}  // namespace nilas
+}  // namespace nilas::vessel

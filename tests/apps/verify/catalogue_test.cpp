@@ -11,6 +11,7 @@
 namespace {
 
 using namespace nilas;
+using namespace nilas::verify;
 
 TEST(Catalogue, NamesSixtyCasesWithFormulaSourceAndAnInputThatIsVaried) {
   std::set<int> numbers;

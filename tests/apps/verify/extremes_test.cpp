@@ -8,6 +8,7 @@
 namespace {
 
 using namespace nilas;
+using namespace nilas::verify;
 
 TEST(Extremes, TheDefaultSolverHoldsOrSaysThatItStopped) {
   Selection some;

@@ -9,6 +9,7 @@
 namespace {
 
 using namespace nilas;
+using namespace nilas::verify;
 
 TEST(Limitations, EveryRowIsExactWithoutItsSimplificationAndOffWithIt) {
   int times = 0;

@@ -22,31 +22,33 @@ using Answer = std::optional<pairs::Verdict>;  ///< The deepest point, when ther
 /// A pair in the data structures of Nilas.
 class OwnPair {
  public:
-  explicit OwnPair(const Bodies& bodies)
-      : bodies_(bodies), a_(std::move(make_parts(bodies, 0)[0])), b_(std::move(make_parts(bodies, 1)[0])) {}
+  explicit OwnPair(const bodies::Bodies& bodies)
+      : bodies_(bodies),
+        a_(std::move(detect::make_parts(bodies, 0)[0])),
+        b_(std::move(detect::make_parts(bodies, 1)[0])) {}
   void forget() { memory_ = {}; }
-  Answer query(AxisSearchRoom& room, std::vector<ContactPoint>& points) {
+  Answer query(detect::AxisSearchRoom& room, std::vector<detect::ContactPoint>& points) {
     points.clear();
-    find_pair_contacts(bodies_, a_, b_, 0, {NarrowPhase::nilas, fcl_}, room, memory_, points);
+    detect::find_pair_contacts(bodies_, a_, b_, 0, {NarrowPhase::nilas, fcl_}, room, memory_, points);
     Answer deepest;
-    for (const ContactPoint& p : points)
+    for (const detect::ContactPoint& p : points)
       if (!deepest || p.gap < deepest->gap) deepest = {p.n, p.gap};
     return deepest;
   }
 
  private:
-  const Bodies& bodies_;
-  Part a_, b_;
-  FclShapes fcl_;
-  PairMemory memory_;
+  const bodies::Bodies& bodies_;
+  detect::Part a_, b_;
+  detect::FclShapes fcl_;
+  detect::PairMemory memory_;
 };
 
 /// The same pair as FCL's convex shapes; FCL's query uses libccd and asks for one contact.
 class FclPair {
  public:
-  explicit FclPair(const Bodies& bodies) {
+  explicit FclPair(const bodies::Bodies& bodies) {
     for (const std::size_t b : {0u, 1u}) {
-      const ConvexPolytope& polytope = bodies.shape[b]->parts[0];
+      const geometry::ConvexPolytope& polytope = bodies.shape[b]->parts[0];
       const auto vertices = std::make_shared<std::vector<Vec3>>(polytope.vertices);
       const auto faces = std::make_shared<std::vector<int>>();
       for (const auto& loop : polytope.faces) {
@@ -83,7 +85,7 @@ struct BulletWorld {
 /// The same pair as Bullet's hulls, with a margin of a thousandth of the size that is subtracted from the distances.
 class BulletPair {
  public:
-  BulletPair(const Bodies& bodies, double size) : margin_(1e-3 * size) {
+  BulletPair(const bodies::Bodies& bodies, double size) : margin_(1e-3 * size) {
     for (const std::size_t b : {0u, 1u}) {
       auto shape = std::make_unique<btConvexHullShape>();
       for (const Vec3& v : bodies.shape[b]->parts[0].vertices) shape->addPoint(btVector3(v.x(), v.y(), v.z()), false);
@@ -150,8 +152,8 @@ struct Engines {
   std::vector<FclPair> fcl;
   std::vector<std::unique_ptr<BulletPair>> bullet;
   BulletWorld world;
-  AxisSearchRoom room;
-  std::vector<ContactPoint> points;
+  detect::AxisSearchRoom room;
+  std::vector<detect::ContactPoint> points;
   double sink = 0;  ///< Sum of all gaps, so that the compiler removes no query.
 
   void add(const pairs::KnownPair& known) {

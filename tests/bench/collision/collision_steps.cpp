@@ -20,12 +20,12 @@ namespace {
 constexpr double k_step = 0.01, k_reach_share = 1.5;  // Step [s] and reach share [-] as in a simulation.
 constexpr int k_first_measured = 10;
 
-std::vector<ContactPoint> detect(ContactDetector& detector, const Bodies& bodies) {
-  const Wrenches loads(static_cast<std::size_t>(bodies.size()));
-  return detector.detect(bodies, own_reach(bodies, loads, k_step, k_reach_share));
+std::vector<detect::ContactPoint> detect(detect::ContactDetector& detector, const bodies::Bodies& bodies) {
+  const bodies::Wrenches loads(static_cast<std::size_t>(bodies.size()));
+  return detector.detect(bodies, detect::own_reach(bodies, loads, k_step, k_reach_share));
 }
 
-bool same_bits(const ContactPoint& p, const ContactPoint& q) {
+bool same_bits(const detect::ContactPoint& p, const detect::ContactPoint& q) {
   const auto same = [](const auto& x, const auto& y) { return std::memcmp(&x, &y, sizeof x) == 0; };
   return p.a == q.a && p.b == q.b && p.part_a == q.part_a && p.part_b == q.part_b && p.key == q.key && same(p.p, q.p) &&
          same(p.n, q.n) && same(p.gap, q.gap);
@@ -60,9 +60,9 @@ void step_row(int floes, int steps) {
   static double last_ms = 0;
   static int last_floes = 0;
   MovingField field(floes);
-  ContactDetector detector;
+  detect::ContactDetector detector;
   std::vector<double> ms;
-  DetectorCounts sum;
+  detect::DetectorCounts sum;
   std::size_t points = 0;
   for (int n = 0; n < k_first_measured + steps; ++n) {
     field.move_to(n * k_step);
@@ -95,13 +95,13 @@ void step_row(int floes, int steps) {
 
 bool thread_table(int floes, int threads, int steps) {
   MovingField field(floes);
-  ContactDetector one(1), several(threads);
+  detect::ContactDetector one(1), several(threads);
   std::vector<double> ms[4];
   bool same = true;
   double sink = 0, pace = 10;
   for (int n = 0; n < k_first_measured + steps; ++n) {
     field.move_to(n * k_step);
-    std::vector<ContactPoint> of_one, of_several;
+    std::vector<detect::ContactPoint> of_one, of_several;
     const double times[4] = {wall_ms([&] { of_one = detect(one, field.bodies()); }),
                              wall_ms([&] { of_several = detect(several, field.bodies()); }),
                              wall_ms([&] { sink += compute_only(pace, 1); }),

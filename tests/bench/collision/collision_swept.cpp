@@ -13,20 +13,20 @@
 #include "tests/contact/detect/bodies_of_tests.h"
 #include "tests/support/collision/swept_pairs.h"
 
-namespace nilas {
+namespace nilas::bench {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-BodyMotion motion_of(const oracle::Way& way) { return {way.p, way.q.toRotationMatrix(), way.way, way.turn}; }
+detect::BodyMotion motion_of(const oracle::Way& way) { return {way.p, way.q.toRotationMatrix(), way.way, way.turn}; }
 
-Part part_of(const ConvexPolytope& polytope, Bodies& bodies) {
-  Shape shape;
-  shape.kind = ShapeKind::mesh;
+detect::Part part_of(const geometry::ConvexPolytope& polytope, bodies::Bodies& bodies) {
+  geometry::Shape shape;
+  shape.kind = geometry::ShapeKind::mesh;
   shape.parts = {polytope};
   shape.bounding_radius = polytope.centre.norm() + polytope.radius;
-  return std::move(make_parts(bodies, add_body(bodies, shape, Vec3::Zero())).front());
+  return std::move(detect::make_parts(bodies, detect::add_body(bodies, shape, Vec3::Zero())).front());
 }
 
 struct Tally {
@@ -37,24 +37,24 @@ struct Tally {
 };
 
 /// Time of impact of one pair. Its shapes are made beforehand, as a detector keeps them.
-TimeOfImpact ask(const oracle::PairOnItsWay& pair, Tally& tally) {
-  Bodies bodies;
-  const Part a = part_of(pair.a, bodies), b = part_of(pair.b, bodies);
-  const BodyMotion motion_a = motion_of(pair.way_a), motion_b = motion_of(pair.way_b);
-  FclShapes fcl;
-  AxisSearchRoom room;
-  time_of_impact(a, {motion_a.p, motion_a.R, Vec3::Zero(), Vec3::Zero()}, b,
-                 // The first call makes FCL's geometry, outside of the timing.
-                 {motion_b.p, motion_b.R, Vec3::Zero(), Vec3::Zero()}, fcl, room);
+detect::TimeOfImpact ask(const oracle::PairOnItsWay& pair, Tally& tally) {
+  bodies::Bodies bodies;
+  const detect::Part a = part_of(pair.a, bodies), b = part_of(pair.b, bodies);
+  const detect::BodyMotion motion_a = motion_of(pair.way_a), motion_b = motion_of(pair.way_b);
+  detect::FclShapes fcl;
+  detect::AxisSearchRoom room;
+  detect::time_of_impact(a, {motion_a.p, motion_a.R, Vec3::Zero(), Vec3::Zero()}, b,
+                         // The first call makes FCL's geometry, outside of the timing.
+                         {motion_b.p, motion_b.R, Vec3::Zero(), Vec3::Zero()}, fcl, room);
   const auto start = Clock::now();
-  const TimeOfImpact found = time_of_impact(a, motion_a, b, motion_b, fcl, room);
+  const detect::TimeOfImpact found = detect::time_of_impact(a, motion_a, b, motion_b, fcl, room);
   tally.seconds += seconds_since(start);
   tally.advances += found.advances;
   tally.most_advances = std::max(tally.most_advances, found.advances);
   return found;
 }
 
-fcl::Convexd fcl_convex(const ConvexPolytope& polytope) {
+fcl::Convexd fcl_convex(const geometry::ConvexPolytope& polytope) {
   auto faces = std::make_shared<std::vector<int>>();
   for (const auto& loop : polytope.faces) {
     faces->push_back(static_cast<int>(loop.size()));
@@ -99,7 +99,7 @@ bool run(const oracle::PairClass& c, int pairs) {
   while (ours.pairs < pairs) {
     const oracle::PairOnItsWay pair = oracle::crossing_pair(c, hits);
     if (pair.separation_at(0) <= 0) continue;
-    const TimeOfImpact found = ask(pair, ours);
+    const detect::TimeOfImpact found = ask(pair, ours);
     const double truth = oracle::first_contact(pair).t;
     ++ours.pairs;
     if (!found.hit) {
@@ -127,7 +127,7 @@ bool run(const oracle::PairClass& c, int pairs) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::bench
 
 int main(int argc, char** argv) {
   const int pairs = argc > 1 ? std::atoi(argv[1]) : 100000;

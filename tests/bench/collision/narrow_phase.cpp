@@ -21,14 +21,15 @@ namespace {
 using namespace nilas;
 
 /// The deepest point of each pair of convex pieces.
-std::vector<ContactPoint> deepest_of_pairs(std::vector<ContactPoint> points) {
-  const auto pair = [](const ContactPoint& c) { return std::tuple(c.a, c.b, c.part_a, c.part_b); };
-  std::stable_sort(points.begin(), points.end(), [&](const ContactPoint& p, const ContactPoint& q) {
+std::vector<detect::ContactPoint> deepest_of_pairs(std::vector<detect::ContactPoint> points) {
+  const auto pair = [](const detect::ContactPoint& c) { return std::tuple(c.a, c.b, c.part_a, c.part_b); };
+  std::stable_sort(points.begin(), points.end(), [&](const detect::ContactPoint& p, const detect::ContactPoint& q) {
     return std::tuple(pair(p), p.gap) < std::tuple(pair(q), q.gap);
   });
-  points.erase(std::unique(points.begin(), points.end(),
-                           [&](const ContactPoint& p, const ContactPoint& q) { return pair(p) == pair(q); }),
-               points.end());
+  points.erase(
+      std::unique(points.begin(), points.end(),
+                  [&](const detect::ContactPoint& p, const detect::ContactPoint& q) { return pair(p) == pair(q); }),
+      points.end());
   return points;
 }
 
@@ -37,14 +38,14 @@ struct Judgement {
   double worst_depth = 0;  ///< Largest error of a depth over the thinner body's width [-].
 
   /// Compares two sets of contacts. Gaps below a hundredth of the thinner body's width count as contacts.
-  void add(const std::vector<ContactPoint>& exact, const std::vector<ContactPoint>& fcl,
+  void add(const std::vector<detect::ContactPoint>& exact, const std::vector<detect::ContactPoint>& fcl,
            const std::vector<double>& width) {
     constexpr double k_right_depth = 1e-6, k_margin = 1e-2;
     const double k_wrong_normal = std::cos(8 * k_deg);
-    const auto thin = [&](const ContactPoint& c) { return std::min(width[c.a], width[c.b]); };
-    const auto names = [](const ContactPoint& c) { return std::tuple(c.a, c.b, c.part_a, c.part_b); };
+    const auto thin = [&](const detect::ContactPoint& c) { return std::min(width[c.a], width[c.b]); };
+    const auto names = [](const detect::ContactPoint& c) { return std::tuple(c.a, c.b, c.part_a, c.part_b); };
     std::size_t k = 0;
-    for (const ContactPoint& truth : exact) {
+    for (const detect::ContactPoint& truth : exact) {
       for (; k < fcl.size() && names(fcl[k]) < names(truth); ++k)
         surplus += fcl[k].gap < 0.99 * k_margin * thin(fcl[k]);
       const bool found = k < fcl.size() && names(fcl[k]) == names(truth);
@@ -65,33 +66,33 @@ struct Judgement {
 struct Run {
   double load = 0, side = 0, penetration = 0, detection_ms = 0, step_ms = 0;
   long steps = 0;
-  DetectorCounts counts;
+  detect::DetectorCounts counts;
   Judgement fcl;
 };
 
 Run run(const std::string& file, double seconds, const std::string& narrow, bool judge) {
-  const Scene scene = read_scene(file, {{"contact/@narrow_phase", narrow}});
+  const scene::Scene scene = scene::read_scene(file, {{"contact/@narrow_phase", narrow}});
   WarningCounts warnings{make_logger("off", "")};
-  Simulation simulation(scene, 1, warnings);
-  ContactDetector exact(1, NarrowPhase::nilas_alone), fcl(1, NarrowPhase::fcl);
+  sim::Simulation simulation(scene, 1, warnings);
+  detect::ContactDetector exact(1, NarrowPhase::nilas_alone), fcl(1, NarrowPhase::fcl);
   const bool crushes = scene.fracture && scene.fracture->crushing;
   const int vessel = simulation.vessel_index();
-  const PairFilter crushed = [&](int a, int b) { return crushes && (a == vessel || b == vessel); };
+  const detect::PairFilter crushed = [&](int a, int b) { return crushes && (a == vessel || b == vessel); };
   Run out;
   const double end = scene.time.start + seconds;
   while (simulation.time() < end - 0.5 * scene.time.step && simulation.end_of_course().empty()) {
-    const StepRecord record = simulation.step();
+    const sim::StepRecord record = simulation.step();
     ++out.steps;
     out.counts += record.detection;
     out.penetration = std::max(out.penetration, record.penetration_max);
-    out.detection_ms += record.ms[static_cast<std::size_t>(Phase::detection)];
+    out.detection_ms += record.ms[static_cast<std::size_t>(sim::Phase::detection)];
     for (const double ms : record.ms) out.step_ms += ms;
     if (record.vessel) {
       out.load -= record.vessel->ice.head<2>().dot(record.vessel->course);
-      out.side += record.vessel->ice.head<2>().dot(to_port(record.vessel->course));
+      out.side += record.vessel->ice.head<2>().dot(sim::to_port(record.vessel->course));
     }
     if (!judge) continue;
-    const std::vector<double> width = smallest_widths(simulation.bodies());
+    const std::vector<double> width = detect::smallest_widths(simulation.bodies());
     double widest = 0;  // of what is a margin to somebody
     for (const double w : width) widest = std::max(widest, std::isfinite(w) ? w : 0);
     const double margin = 1e-2 * std::min(widest, 1.0);

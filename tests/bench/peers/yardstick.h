@@ -34,7 +34,7 @@ inline nilas::MatX rows_of(const std::vector<BodyState>& before, int k, const ni
 /// Largest natural map of the step [m/s], from the states before and after it.
 inline double natural_map(const FloeScene& s, const std::vector<BodyState>& before, const std::vector<BodyState>& after,
                           const std::vector<Touching>& touches) {
-  nilas::ContactProblem problem;
+  nilas::contact::ContactProblem problem;
   problem.h = s.step;
   nilas::VecX v(6 * static_cast<Eigen::Index>(before.size()));
   for (std::size_t k = 0; k < before.size(); ++k) {
@@ -51,7 +51,7 @@ inline double natural_map(const FloeScene& s, const std::vector<BodyState>& befo
   nilas::VecX r(3 * static_cast<Eigen::Index>(touches.size()));
   for (std::size_t c = 0; c < touches.size(); ++c) {
     const Touching& t = touches[c];
-    const nilas::Mat3 C = nilas::contact_frame(t.n, nilas::Mat3::Identity(), 0);
+    const nilas::Mat3 C = nilas::contact::contact_frame(t.n, nilas::Mat3::Identity(), 0);
     problem.add_contact(t.a < 0 ? -1 : t.a, rows_of(before, t.a, t.p, C, -1), t.b < 0 ? -1 : t.b,
                         rows_of(before, t.b, t.p, C, 1), c);
     problem.mu.back() = problem.mu_static.back() = s.friction;
@@ -61,7 +61,7 @@ inline double natural_map(const FloeScene& s, const std::vector<BodyState>& befo
     r.segment<3>(3 * static_cast<Eigen::Index>(c)) = C.transpose() * t.impulse;
   }
   problem.f = nilas::VecX::Zero(v.size());  // Only the natural map is used, which does not depend on f.
-  return touches.empty() ? 0 : nilas::measure(problem, r, v).natural_map_m_s;
+  return touches.empty() ? 0 : nilas::contact::measure(problem, r, v).natural_map_m_s;
 }
 
 }  // namespace peers

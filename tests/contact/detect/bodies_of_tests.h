@@ -11,14 +11,14 @@
 #include "core/geometry/shape.h"
 #include "tests/support/about_centroid.h"
 
-namespace nilas {
+namespace nilas::detect {
 
-inline int add_body(Bodies& bodies, const Shape& shape, const Vec3& p, const Quat& q = Quat::Identity(),
-                    Motion motion = Motion::free) {
-  BodySpec spec;
+inline int add_body(bodies::Bodies& bodies, const geometry::Shape& shape, const Vec3& p,
+                    const Quat& q = Quat::Identity(), bodies::Motion motion = bodies::Motion::free) {
+  bodies::BodySpec spec;
   spec.name = "body" + std::to_string(bodies.size());
   spec.motion = motion;
-  spec.shape = std::make_shared<const Shape>(shape);
+  spec.shape = std::make_shared<const geometry::Shape>(shape);
   spec.mass = 1;
   spec.pose = {q, p};
   return bodies.add(spec);
@@ -45,8 +45,8 @@ inline std::vector<Vec2> random_outline(RandomStream& random, double radius) {
 }
 
 /// A floe with its centroid at the origin, as prism_shape requires.
-inline Shape floe_shape(const std::vector<Vec2>& outline, double thickness) {
-  return prism_shape(test::about_centroid(outline), thickness);
+inline geometry::Shape floe_shape(const std::vector<Vec2>& outline, double thickness) {
+  return geometry::prism_shape(test::about_centroid(outline), thickness);
 }
 
 /// A random attitude: any yaw, tilted by about `tilt` [rad].
@@ -57,4 +57,4 @@ inline Quat random_tilt(RandomStream& random, double tilt) {
          Quat(Eigen::AngleAxisd(random.uniform(0, tilt), axis.normalized()));
 }
 
-}  // namespace nilas
+}  // namespace nilas::detect

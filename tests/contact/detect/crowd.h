@@ -10,10 +10,10 @@
 #include "contact/detect/broad/contact_point.h"
 #include "tests/contact/detect/bodies_of_tests.h"
 
-namespace nilas {
+namespace nilas::detect {
 
 struct FloeSpec {
-  Shape shape;
+  geometry::Shape shape;
   Vec3 p;
   Quat q;
 };
@@ -30,8 +30,8 @@ inline std::vector<FloeSpec> crowd(int count, std::uint64_t seed) {
   return floes;
 }
 
-inline Bodies bodies_of(const std::vector<FloeSpec>& floes, const std::vector<int>& order) {
-  Bodies bodies;
+inline bodies::Bodies bodies_of(const std::vector<FloeSpec>& floes, const std::vector<int>& order) {
+  bodies::Bodies bodies;
   for (int k : order) {
     const int b = add_body(bodies, floes[k].shape, floes[k].p, floes[k].q);
     bodies.name[b] = std::to_string(k);
@@ -46,7 +46,7 @@ inline std::vector<int> in_order(std::size_t count) {
 }
 
 /// Moves every body a little, each along a path of its own.
-inline void drift(Bodies& bodies, int step) {
+inline void drift(bodies::Bodies& bodies, int step) {
   for (int b = 0; b < bodies.size(); ++b) {
     const double phase = 0.7 * b + 0.05 * step;
     const Quat turn(Eigen::AngleAxisd(2e-3 * std::sin(phase), Vec3(0.1, 0.2, 1).normalized()));
@@ -65,4 +65,4 @@ inline void expect_same_bits(const std::vector<ContactPoint>& one, const std::ve
   }
 }
 
-}  // namespace nilas
+}  // namespace nilas::detect

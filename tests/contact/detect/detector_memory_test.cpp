@@ -11,7 +11,7 @@
 #include "core/base/error.h"
 #include "tests/contact/detect/crowd.h"
 
-namespace nilas {
+namespace nilas::detect {
 namespace {
 
 /// Largest error of a correct depth for bodies of about a metre [m].
@@ -32,7 +32,7 @@ double deepest_gap(const std::vector<ContactPoint>& points) {
 /// deepest corner is always kept.
 TEST(Detector, MemoryChangesNothingButWhichCornersAreKept) {
   const auto floes = crowd(80, 4);
-  Bodies bodies = bodies_of(floes, in_order(floes.size()));
+  bodies::Bodies bodies = bodies_of(floes, in_order(floes.size()));
   ContactDetector remembering;
   long separations = 0, kept = 0;
   int pairs_seen = 0, other_corners = 0;
@@ -77,7 +77,7 @@ struct RockingPlates {
   std::vector<ContactPoint> seen_by(ContactDetector& detector) const { return detector.detect(bodies, 1e-3); }
   std::vector<ContactPoint> seen_anew() const { return ContactDetector().detect(bodies, 1e-3); }
 
-  Bodies bodies;
+  bodies::Bodies bodies;
 };
 
 std::set<std::uint64_t> keys_of(const std::vector<ContactPoint>& points) {
@@ -126,8 +126,8 @@ TEST(Detector, APairThatRocksOnEightCornersComesToKeepThem) {
 TEST(Detector, APairKeepsItsAxisThroughATie) {
   const auto normal_at_the_tie = [](const Vec3& before) {
     const Vec3 tie(0.625, 0.625, 0);  // The overlap along x equals that along y to the bit.
-    Bodies bodies;
-    for (const double size : {1.0, 0.5}) add_body(bodies, box_shape(Vec3(size, size, size)), Vec3::Zero());
+    bodies::Bodies bodies;
+    for (const double size : {1.0, 0.5}) add_body(bodies, geometry::box_shape(Vec3(size, size, size)), Vec3::Zero());
     ContactDetector detector;
     bodies.set_pose(1, tie + before, Quat::Identity());
     detector.detect(bodies, 1e-3);
@@ -141,45 +141,45 @@ TEST(Detector, APairKeepsItsAxisThroughATie) {
 }
 
 TEST(Detector, NewBodiesArePickedUp) {
-  Bodies bodies;
+  bodies::Bodies bodies;
   ContactDetector detector;
-  add_body(bodies, box_shape({1, 1, 1}), {0, 0, 0});
+  add_body(bodies, geometry::box_shape({1, 1, 1}), {0, 0, 0});
   EXPECT_TRUE(detector.detect(bodies, 0.01).empty());
-  add_body(bodies, box_shape({1, 1, 1}), {1, 0, 0});
+  add_body(bodies, geometry::box_shape({1, 1, 1}), {1, 0, 0});
   EXPECT_EQ(detector.detect(bodies, 0.01).size(), 4u);
-  add_body(bodies, box_shape({1, 1, 1}), {0, 0, 1});
+  add_body(bodies, geometry::box_shape({1, 1, 1}), {0, 0, 1});
   // 4 points below the third body, 4 beside it, 2 on the shared edge.
   EXPECT_EQ(detector.detect(bodies, 0.01).size(), 10u);
 }
 
 TEST(Detector, AnotherListOfBodiesStartsAfresh) {
-  Bodies bodies, others;
+  bodies::Bodies bodies, others;
   ContactDetector detector;
-  add_body(bodies, box_shape({1, 1, 1}), {0, 0, 0});
-  add_body(bodies, box_shape({1, 1, 1}), {1, 0, 0});
+  add_body(bodies, geometry::box_shape({1, 1, 1}), {0, 0, 0});
+  add_body(bodies, geometry::box_shape({1, 1, 1}), {1, 0, 0});
   detector.detect(bodies, 0.01);
-  add_body(others, box_shape({1, 1, 1}), {0, 0, 0});
+  add_body(others, geometry::box_shape({1, 1, 1}), {0, 0, 0});
   EXPECT_TRUE(detector.detect(others, 0.01).empty());
 }
 
 /// When ice breaks, the memory of the other pairs stays. Their points are those of a detector that lost no body.
 TEST(Detector, BodiesThatGoTakeNoMemoryOfOthers) {
   const auto floes = crowd(120, 9);
-  Bodies all = bodies_of(floes, in_order(floes.size()));
+  bodies::Bodies all = bodies_of(floes, in_order(floes.size()));
   ContactDetector of_all, of_some;
   for (int step = 0; step < 20; ++step) {
     drift(all, step);
     of_all.detect(all, 0.02);
     of_some.detect(all, 0.02);
   }
-  Bodies some = all;
+  bodies::Bodies some = all;
   std::vector<char> gone(floes.size(), 0);
   for (const std::size_t b : {0u, 17u, 18u, 63u, 119u}) gone[b] = 1;
   some.remove(gone);
   const int added = add_body(some, floes[17].shape, some.p_GB[30] + Vec3(0.3, 0.2, 0));
   const std::int64_t new_id = some.id[added];
   for (int step = 0; step < 3; ++step) {
-    const auto stays = [&](const Bodies& bodies, const ContactPoint& c) {
+    const auto stays = [&](const bodies::Bodies& bodies, const ContactPoint& c) {
       const auto is_old = [&](int b) {
         const std::int64_t id = bodies.id[b];
         return id != new_id && gone[id - 1] == 0;
@@ -206,8 +206,8 @@ TEST(Detector, BodiesThatGoTakeNoMemoryOfOthers) {
 /// pairs, since its boxes were made at other poses.
 TEST(Detector, GoesOnAsItWasSaved) {
   const auto floes = crowd(120, 5);
-  Bodies bodies = bodies_of(floes, in_order(floes.size()));
-  add_body(bodies, plane_shape(), Vec3(0, 0, -0.3), Quat::Identity(), Motion::fixed);
+  bodies::Bodies bodies = bodies_of(floes, in_order(floes.size()));
+  add_body(bodies, geometry::plane_shape(), Vec3(0, 0, -0.3), Quat::Identity(), bodies::Motion::fixed);
   constexpr double k_margin = 0.01;
   ContactDetector whole;
   State state;
@@ -237,7 +237,7 @@ TEST(Detector, GoesOnAsItWasSaved) {
 
 TEST(Detector, RefusesAStateOfOtherParts) {
   const auto floes = crowd(10, 5);
-  const Bodies ten = bodies_of(floes, in_order(10)), nine = bodies_of(floes, in_order(9));
+  const bodies::Bodies ten = bodies_of(floes, in_order(10)), nine = bodies_of(floes, in_order(9));
   ContactDetector detector, other;
   detector.detect(ten, 0.01);
   State state;
@@ -251,4 +251,4 @@ TEST(Detector, RefusesAStateOfOtherParts) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::detect

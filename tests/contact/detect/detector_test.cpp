@@ -12,7 +12,7 @@
 #include "core/base/error.h"
 #include "tests/contact/detect/crowd.h"
 
-namespace nilas {
+namespace nilas::detect {
 namespace {
 
 TEST(Detector, PointsComeInOrder) {
@@ -30,7 +30,7 @@ TEST(Detector, PointsComeInOrder) {
 
 TEST(Detector, NoPairIsOverlooked) {
   const auto floes = crowd(40, 6);
-  Bodies bodies = bodies_of(floes, in_order(floes.size()));
+  bodies::Bodies bodies = bodies_of(floes, in_order(floes.size()));
   ContactDetector detector;
   for (int step = 0; step < 5; ++step) {
     for (int k = 0; k < 10; ++k) drift(bodies, 10 * step + k);
@@ -38,7 +38,7 @@ TEST(Detector, NoPairIsOverlooked) {
     for (const ContactPoint& c : detector.detect(bodies, 0.01)) ++found[{c.a, c.b}];
     for (int a = 0; a < bodies.size(); ++a)
       for (int b = a + 1; b < bodies.size(); ++b) {
-        Bodies pair;
+        bodies::Bodies pair;
         for (int k : {a, b}) add_body(pair, floes[k].shape, bodies.p_GB[k], bodies.q_GB[k]);
         const int anew = static_cast<int>(ContactDetector().detect(pair, 0.01).size()), remembered = found[{a, b}];
         EXPECT_GE(remembered, anew) << a << " " << b;  // A deeper point may have joined the four kept ones.
@@ -50,9 +50,9 @@ TEST(Detector, NoPairIsOverlooked) {
 TEST(Detector, TheOrderOfBodiesDoesNotMatter) {
   const auto floes = crowd(60, 2);
   auto order = in_order(floes.size());
-  const Bodies one = bodies_of(floes, order);
+  const bodies::Bodies one = bodies_of(floes, order);
   for (std::size_t i = 0; i < order.size(); ++i) std::swap(order[i], order[(7 * i + 3) % order.size()]);
-  const Bodies other = bodies_of(floes, order);
+  const bodies::Bodies other = bodies_of(floes, order);
   const auto points = ContactDetector().detect(one, 0.01), shuffled = ContactDetector().detect(other, 0.01);
   ASSERT_EQ(points.size(), shuffled.size());
   std::multimap<std::pair<std::string, std::string>, ContactPoint> by_names;
@@ -75,7 +75,7 @@ TEST(Detector, TheOrderOfBodiesDoesNotMatter) {
 
 TEST(Detector, ThreadsDoNotChangeABit) {
   const auto floes = crowd(150, 3);
-  Bodies bodies = bodies_of(floes, in_order(floes.size()));
+  bodies::Bodies bodies = bodies_of(floes, in_order(floes.size()));
   ContactDetector one(1), two(2);
   for (int step = 0; step < 20; ++step) {
     drift(bodies, step);
@@ -86,16 +86,16 @@ TEST(Detector, ThreadsDoNotChangeABit) {
 /// A cut leaves pieces that touch along it. Near the end of a seam in the larger one, their convex pieces overlap by
 /// rounding. The depth must not be the length of the seam.
 TEST(Detector, PiecesThatTouchBesideASeamAreNotDeep) {
-  Bodies bodies;
+  bodies::Bodies bodies;
   std::vector<Vec2> notched{{0, -3}, {13, -3}, {13, 3}, {0, 3}, {0, 0.3}, {0.2, 0.1}, {0.2, -0.1}, {0, -0.3}};
-  const Vec2 centre = polygon_moments(notched).centroid;
-  add_body(bodies, floe_shape(notched, 0.04), {centre.x(), centre.y(), 0}, Quat::Identity(), Motion::fixed);
+  const Vec2 centre = geometry::polygon_moments(notched).centroid;
+  add_body(bodies, floe_shape(notched, 0.04), {centre.x(), centre.y(), 0}, Quat::Identity(), bodies::Motion::fixed);
   const std::vector<Vec2> plug{{0, -0.3}, {0.2, -0.1}, {0.2, 0.1}, {0, 0.3}};
-  const Vec2 middle = polygon_moments(plug).centroid;
+  const Vec2 middle = geometry::polygon_moments(plug).centroid;
   ASSERT_GT(bodies.shape[0]->parts.size(), 2u);
   RandomStream random(3, "plug");
   for (int k = 0; k < 200; ++k) {
-    Bodies pair = bodies;
+    bodies::Bodies pair = bodies;
     const double off = k < 50 ? 1e-15 : 1e-4;
     const auto any = [&] { return random.uniform(-off, off); };
     const Vec3 moved{any(), any(), any()}, turned{any(), any(), any()};
@@ -109,14 +109,14 @@ TEST(Detector, PiecesThatTouchBesideASeamAreNotDeep) {
 
 TEST(Detector, PartsOfOneConcaveFloeDoNotPair) {
   const std::vector<Vec2> corner{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
-  Bodies bodies;
-  const Shape shape = floe_shape(corner, 0.2);
+  bodies::Bodies bodies;
+  const geometry::Shape shape = floe_shape(corner, 0.2);
   ASSERT_GT(shape.parts.size(), 1u);
   add_body(bodies, shape, {0, 0, 0});
   EXPECT_TRUE(ContactDetector().detect(bodies, 0.05).empty());
   // The floe in the inner corner touches both arms.
   const double corner_at = 1 - 5.0 / 6;
-  add_body(bodies, box_shape({0.5, 0.5, 0.2}), {corner_at + 0.251, corner_at + 0.251, 0});
+  add_body(bodies, geometry::box_shape({0.5, 0.5, 0.2}), {corner_at + 0.251, corner_at + 0.251, 0});
   const auto points = ContactDetector().detect(bodies, 0.05);
   int along_x = 0, along_y = 0;
   for (const ContactPoint& c : points) {
@@ -128,19 +128,19 @@ TEST(Detector, PartsOfOneConcaveFloeDoNotPair) {
 }
 
 TEST(Detector, BodiesThatCannotMoveDoNotPair) {
-  Bodies bodies;
-  add_body(bodies, box_shape({1, 1, 1}), {0, 0, 0}, Quat::Identity(), Motion::fixed);
-  add_body(bodies, box_shape({1, 1, 1}), {1, 0, 0}, Quat::Identity(), Motion::fixed);
-  add_body(bodies, plane_shape(), {0, 0, -0.5}, Quat::Identity(), Motion::fixed);
+  bodies::Bodies bodies;
+  add_body(bodies, geometry::box_shape({1, 1, 1}), {0, 0, 0}, Quat::Identity(), bodies::Motion::fixed);
+  add_body(bodies, geometry::box_shape({1, 1, 1}), {1, 0, 0}, Quat::Identity(), bodies::Motion::fixed);
+  add_body(bodies, geometry::plane_shape(), {0, 0, -0.5}, Quat::Identity(), bodies::Motion::fixed);
   EXPECT_TRUE(ContactDetector().detect(bodies, 0.01).empty());
-  bodies.motion[1] = Motion::articulated;
+  bodies.motion[1] = bodies::Motion::articulated;
   EXPECT_EQ(ContactDetector().detect(bodies, 0.01).size(), 8u);
 }
 
 /// Pairs that a filter names are listed but not searched. All others have the same contacts as without it.
 TEST(Detector, PairsAreLeftToTheCaller) {
   const auto floes = crowd(80, 7);
-  Bodies bodies = bodies_of(floes, in_order(floes.size()));
+  bodies::Bodies bodies = bodies_of(floes, in_order(floes.size()));
   const PairFilter left = [](int a, int b) { return (a + b) % 3 == 0; };
   ContactDetector some(2), all(2);
   for (int step = 0; step < 10; ++step) {
@@ -167,9 +167,9 @@ TEST(Detector, PairsAreLeftToTheCaller) {
 }
 
 TEST(Detector, CountsWhatItDid) {
-  Bodies bodies;
-  add_body(bodies, box_shape({1, 1, 1}), {0, 0, 0});
-  add_body(bodies, box_shape({1, 1, 1}), {1.02, 0, 0});
+  bodies::Bodies bodies;
+  add_body(bodies, geometry::box_shape({1, 1, 1}), {0, 0, 0});
+  add_body(bodies, geometry::box_shape({1, 1, 1}), {1.02, 0, 0});
   ContactDetector detector;
   EXPECT_TRUE(detector.detect(bodies, 0.01).empty());
   EXPECT_EQ(detector.counts().candidate_pairs, 1);
@@ -180,7 +180,7 @@ TEST(Detector, CountsWhatItDid) {
 
 TEST(ContactDetector, APoseThatIsNoNumberIsRefused) {
   for (const int corners : {4, 40}) {
-    Bodies bodies;
+    bodies::Bodies bodies;
     for (int k = 0; k < 2; ++k) add_body(bodies, floe_shape(regular_outline(corners, 1), 0.1), {0.5 * k, 0, 0});
     bodies.p_GB[1].y() = std::numeric_limits<double>::quiet_NaN();
     EXPECT_THROW(ContactDetector().detect(bodies, 0.1), ContractError);
@@ -188,4 +188,4 @@ TEST(ContactDetector, APoseThatIsNoNumberIsRefused) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::detect

@@ -10,13 +10,13 @@
 #include "tests/support/collision/distance_oracle.h"
 #include "tests/support/random_vectors.h"
 
-namespace nilas {
+namespace nilas::detect {
 namespace {
 
 /// A sphere of facets stretched to an ellipsoid. Each triangle of an icosahedron is split in four `levels` times.
-TriangleMesh ellipsoid(int levels, const Vec3& half_axes) {
+geometry::TriangleMesh ellipsoid(int levels, const Vec3& half_axes) {
   const double g = 0.5 * (1 + std::sqrt(5.0));
-  TriangleMesh mesh;
+  geometry::TriangleMesh mesh;
   for (double s : {-1.0, 1.0})
     for (double t : {-1.0, 1.0})
       for (int axis = 0; axis < 3; ++axis) {
@@ -61,13 +61,13 @@ TriangleMesh ellipsoid(int levels, const Vec3& half_axes) {
   return mesh;
 }
 
-Shape hull_shape(int levels, const Vec3& half_axes) {
-  const TriangleMesh mesh = ellipsoid(levels, half_axes);
-  return mesh_shape(mesh, {make_polytope(mesh, 1e-9)});
+geometry::Shape hull_shape(int levels, const Vec3& half_axes) {
+  const geometry::TriangleMesh mesh = ellipsoid(levels, half_axes);
+  return geometry::mesh_shape(mesh, {geometry::make_polytope(mesh, 1e-9)});
 }
 
 /// Moves body 1 along d until the best of all face and edge axes separates by `target`.
-double slide_to(Bodies& bodies, const Vec3& d, double target) {
+double slide_to(bodies::Bodies& bodies, const Vec3& d, double target) {
   const auto axes = oracle::all_axes(oracle::posed(bodies, 0), oracle::posed(bodies, 1));
   double way = std::numeric_limits<double>::infinity();
   for (const auto& axis : axes)
@@ -79,13 +79,13 @@ double slide_to(Bodies& bodies, const Vec3& d, double target) {
 }
 
 TEST(HullContacts, MatchBruteForce) {
-  const Shape hull = hull_shape(2, {6, 1, 0.8});
+  const geometry::Shape hull = hull_shape(2, {6, 1, 0.8});
   ASSERT_GT(hull.parts[0].faces.size(), 300u);
   RandomStream random(2, "hull");
   double worst = 0;
   for (int k = 0; k < 120; ++k) {
-    Bodies bodies;
-    add_body(bodies, hull, {0, 0, 0}, random_tilt(random, 0.05), Motion::articulated);
+    bodies::Bodies bodies;
+    add_body(bodies, hull, {0, 0, 0}, random_tilt(random, 0.05), bodies::Motion::articulated);
     add_body(bodies, floe_shape(random_outline(random, 0.5), 0.1), {0, 0, 0}, random_tilt(random, 0.05));
     const Vec3 d = Vec3(random.normal(), random.normal(), 0.2 * random.normal()).normalized();
     const double truth = slide_to(bodies, d, random.uniform(-4e-3, 4e-3));
@@ -99,12 +99,12 @@ TEST(HullContacts, MatchBruteForce) {
 }
 
 TEST(HullContacts, TwoHullsMatchBruteForce) {
-  const Shape hull = hull_shape(2, {6, 1, 0.8});
+  const geometry::Shape hull = hull_shape(2, {6, 1, 0.8});
   RandomStream random(3, "hulls");
   double worst = 0;
   for (int k = 0; k < 8; ++k) {
-    Bodies bodies;
-    add_body(bodies, hull, {0, 0, 0}, test::random_attitude(random), Motion::articulated);
+    bodies::Bodies bodies;
+    add_body(bodies, hull, {0, 0, 0}, test::random_attitude(random), bodies::Motion::articulated);
     add_body(bodies, hull, {0, 0, 0}, test::random_attitude(random));
     const Vec3 d = Vec3(random.normal(), random.normal(), random.normal()).normalized();
     const double truth = slide_to(bodies, d, random.uniform(-4e-3, 4e-3));
@@ -119,10 +119,10 @@ TEST(HullContacts, TwoHullsMatchBruteForce) {
 
 TEST(HullContacts, AFloeThatSlidesOverSeamsKeepsItsContact) {
   // Neighbouring stations amidships differ by 0.8 degrees.
-  const Shape hull = hull_shape(4, {60, 10, 8});
-  Bodies bodies;
-  add_body(bodies, hull, {0, 0, 0}, Quat::Identity(), Motion::articulated);
-  add_body(bodies, box_shape({3, 3, 0.5}), {0, 0, 0});
+  const geometry::Shape hull = hull_shape(4, {60, 10, 8});
+  bodies::Bodies bodies;
+  add_body(bodies, hull, {0, 0, 0}, Quat::Identity(), bodies::Motion::articulated);
+  add_body(bodies, geometry::box_shape({3, 3, 0.5}), {0, 0, 0});
   ContactDetector detector;
   double last_gap = 0;
   Vec3 last_n = Vec3::Zero();
@@ -149,19 +149,19 @@ TEST(HullContacts, AFloeThatSlidesOverSeamsKeepsItsContact) {
 
 TEST(HullContacts, APointsNormalIsTheGradientOfItsGapOnACurvedSide) {
   // Facets turn by 0.8 degrees; the side turns by 10 degrees along a floe of 1.5 m.
-  const Shape hull = hull_shape(4, {60, 10, 8});
+  const geometry::Shape hull = hull_shape(4, {60, 10, 8});
   RandomStream random(5, "gradient");
   double worst = 0, farthest_normals = 0;
   int compared = 0;
   for (int k = 0; k < 40; ++k) {
-    Bodies bodies;
-    add_body(bodies, hull, {0, 0, 0}, Quat::Identity(), Motion::articulated);
+    bodies::Bodies bodies;
+    add_body(bodies, hull, {0, 0, 0}, Quat::Identity(), bodies::Motion::articulated);
     const double z = random.uniform(-4, 4);
     const double x = random.uniform(-6, 6), y = 10 * std::sqrt(1 - x * x / 3600 - z * z / 64);
     const Vec3 out = Vec3(x / 3600, y / 100, z / 64).normalized();
     const Quat upright = Quat::FromTwoVectors(Vec3::UnitY(), out);
     const Quat tilted = upright * Quat(Eigen::AngleAxisd(random.uniform(-0.1, 0.1), Vec3::UnitX()));
-    add_body(bodies, box_shape({3, 1, 0.4}), Vec3(x, y, z) + 0.505 * out, tilted);
+    add_body(bodies, geometry::box_shape({3, 1, 0.4}), Vec3(x, y, z) + 0.505 * out, tilted);
     ContactDetector detector;
     const auto before = detector.detect(bodies, 0.03);
     const Vec3 way = 1e-3 * Vec3(random.normal(), random.normal(), random.normal()).normalized();
@@ -182,7 +182,7 @@ TEST(HullContacts, APointsNormalIsTheGradientOfItsGapOnACurvedSide) {
 
 TEST(HullContacts, FlatPlatingOfManyTrianglesTouchesAsOneFace) {
   // A box whose sides are cut into many triangles that lie in one plane.
-  TriangleMesh mesh;
+  geometry::TriangleMesh mesh;
   const int n = 6;
   const auto index = [&](const Vec3& v) {
     for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
@@ -204,10 +204,11 @@ TEST(HullContacts, FlatPlatingOfManyTrianglesTouchesAsOneFace) {
           mesh.triangles.push_back({corner(0, 0), corner(1, 0), corner(1, 1)});
           mesh.triangles.push_back({corner(0, 0), corner(1, 1), corner(0, 1)});
         }
-  Bodies bodies;
-  add_body(bodies, mesh_shape(mesh, {make_polytope(mesh, 1e-9)}), {0, 0, 0}, Quat::Identity(), Motion::articulated);
+  bodies::Bodies bodies;
+  add_body(bodies, geometry::mesh_shape(mesh, {geometry::make_polytope(mesh, 1e-9)}), {0, 0, 0}, Quat::Identity(),
+           bodies::Motion::articulated);
   ASSERT_EQ(bodies.shape[0]->parts[0].faces.size(), 6u);
-  add_body(bodies, box_shape({3, 1, 0.4}), {0.3, 1.502, 0.1});
+  add_body(bodies, geometry::box_shape({3, 1, 0.4}), {0.3, 1.502, 0.1});
   const auto points = ContactDetector().detect(bodies, 0.01);
   ASSERT_EQ(points.size(), 4u);
   for (const ContactPoint& c : points) {
@@ -218,4 +219,4 @@ TEST(HullContacts, FlatPlatingOfManyTrianglesTouchesAsOneFace) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::detect

@@ -11,7 +11,7 @@
 #include "tests/contact/detect/bodies_of_tests.h"
 #include "tests/support/mirrored.h"
 
-namespace nilas {
+namespace nilas::detect {
 namespace {
 
 using test::mirrored;
@@ -48,7 +48,7 @@ TEST_P(MirroredPair, HasMirroredPoints) {
   RandomStream random(11, GetParam().name);
   int touching = 0;
   for (int k = 0; k < 5000; ++k) {
-    Bodies port, starboard;
+    bodies::Bodies port, starboard;
     const double thickness = random.uniform(0.02, 0.6), turn = random.uniform(0, 2 * k_pi);
     const double distance = random.uniform(GetParam().nearest, GetParam().farthest);
     Vec3 p(1.7, 0.3, 0.1);
@@ -89,8 +89,8 @@ TEST(MirroredPair, ImagesOfEachOtherTouchOnThePlaneBetweenThem) {
     const double thickness = random.uniform(0.02, 0.6);
     const auto outline = random_outline(random, 1);
     const Quat q = random_tilt(random, k % 2 == 0 ? 0.01 : 0.2);
-    Bodies bodies;
-    const Shape one = floe_shape(outline, thickness);
+    bodies::Bodies bodies;
+    const geometry::Shape one = floe_shape(outline, thickness);
     double lowest = 0;
     for (const Vec3& x : one.parts.at(0).vertices) lowest = std::min(lowest, (q * x).y());
     const Vec3 p(1.7, random.uniform(-0.004, 0.02) - lowest, 0.1);
@@ -118,4 +118,4 @@ TEST(MirroredPair, ImagesOfEachOtherTouchOnThePlaneBetweenThem) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::detect

@@ -7,22 +7,22 @@
 #include "tests/support/collision/pair_judge.h"
 #include "tests/support/random_vectors.h"
 
-namespace nilas {
+namespace nilas::detect {
 namespace {
 
 constexpr double k_margin = 0.01;
 
-Bodies crowd_on_a_plane() {
+bodies::Bodies crowd_on_a_plane() {
   const auto floes = crowd(120, 5);
-  Bodies bodies = bodies_of(floes, in_order(floes.size()));
-  add_body(bodies, sphere_shape(0.4), Vec3(2, 2, 0.4));
-  add_body(bodies, cylinder_shape(0.3, 0.5), Vec3(5, 5, 0.2));
-  add_body(bodies, plane_shape(), Vec3(0, 0, -0.06), Quat::Identity(), Motion::fixed);
+  bodies::Bodies bodies = bodies_of(floes, in_order(floes.size()));
+  add_body(bodies, geometry::sphere_shape(0.4), Vec3(2, 2, 0.4));
+  add_body(bodies, geometry::cylinder_shape(0.3, 0.5), Vec3(5, 5, 0.2));
+  add_body(bodies, geometry::plane_shape(), Vec3(0, 0, -0.06), Quat::Identity(), bodies::Motion::fixed);
   return bodies;
 }
 
 TEST(NarrowPhases, FclInFrontChangesNoBit) {
-  Bodies bodies = crowd_on_a_plane();
+  bodies::Bodies bodies = crowd_on_a_plane();
   ContactDetector in_front, alone(1, NarrowPhase::nilas_alone);
   DetectorCounts sum;
   for (int step = 0; step < 40; ++step) {
@@ -38,7 +38,7 @@ TEST(NarrowPhases, FclInFrontChangesNoBit) {
 }
 
 TEST(NarrowPhases, FclGoesOnAsItWasSavedOnAnyNumberOfThreads) {
-  Bodies bodies = crowd_on_a_plane();
+  bodies::Bodies bodies = crowd_on_a_plane();
   ContactDetector whole(1, NarrowPhase::fcl), threaded(2, NarrowPhase::fcl);
   for (int step = 0; step < 10; ++step) {
     drift(bodies, step);
@@ -60,9 +60,9 @@ TEST(NarrowPhases, FclGoesOnAsItWasSavedOnAnyNumberOfThreads) {
 
 /// A box lies on another: the one point of FCL is completed to the four corners of the common area.
 TEST(NarrowPhases, FclsPointIsCompletedToAManifold) {
-  Bodies bodies;
-  add_body(bodies, box_shape({1, 1, 0.2}), {0, 0, 0});
-  add_body(bodies, box_shape({0.6, 0.4, 0.2}), {0.1, 0.05, 0.1995});
+  bodies::Bodies bodies;
+  add_body(bodies, geometry::box_shape({1, 1, 0.2}), {0, 0, 0});
+  add_body(bodies, geometry::box_shape({0.6, 0.4, 0.2}), {0.1, 0.05, 0.1995});
   const auto points = ContactDetector(1, NarrowPhase::fcl).detect(bodies, k_margin);
   ASSERT_GE(points.size(), 4u);
   Vec3 low = Vec3::Constant(9), high = Vec3::Constant(-9);
@@ -80,11 +80,11 @@ TEST(NarrowPhases, FclsPointIsCompletedToAManifold) {
 TEST(NarrowPhases, FclAndThePlaneAgreeWithTheClosedForm) {
   RandomStream random(4, "plane");
   for (int k = 0; k < 200; ++k) {
-    Bodies bodies;
-    add_body(bodies, plane_shape(), Vec3::Zero(), Quat::Identity(), Motion::fixed);
-    const Shape shape = k % 3 == 0   ? sphere_shape(0.5)
-                        : k % 3 == 1 ? box_shape({0.6, 0.4, 0.3})
-                                     : cylinder_shape(0.3, 0.6);
+    bodies::Bodies bodies;
+    add_body(bodies, geometry::plane_shape(), Vec3::Zero(), Quat::Identity(), bodies::Motion::fixed);
+    const geometry::Shape shape = k % 3 == 0   ? geometry::sphere_shape(0.5)
+                                  : k % 3 == 1 ? geometry::box_shape({0.6, 0.4, 0.3})
+                                               : geometry::cylinder_shape(0.3, 0.6);
     add_body(bodies, shape, {random.uniform(-5, 5), random.uniform(-5, 5), random.uniform(0.2, 0.55)},
              test::random_attitude(random));
     const auto exact = ContactDetector().detect(bodies, k_margin);
@@ -105,9 +105,9 @@ TEST(NarrowPhases, FclErrsInPlatesDeepInEachOther) {
   for (int x = 0; x < 10; ++x)
     for (int z = 0; z < 10; ++z) {
       const double aside = 0.05 * x, depth = k_thickness * (1 - 0.1 * (z + 0.5));
-      Bodies bodies;
-      add_body(bodies, box_shape({1, 1, k_thickness}), Vec3::Zero());
-      add_body(bodies, box_shape({1, 1, k_thickness}), {aside, 0, k_thickness - depth});
+      bodies::Bodies bodies;
+      add_body(bodies, geometry::box_shape({1, 1, k_thickness}), Vec3::Zero());
+      add_body(bodies, geometry::box_shape({1, 1, k_thickness}), {aside, 0, k_thickness - depth});
       const auto exact = ContactDetector().detect(bodies, k_margin);
       const auto found = ContactDetector(1, NarrowPhase::fcl).detect(bodies, k_margin);
       EXPECT_NEAR(pairs::deepest_point(exact)->gap, -depth, 1e-12) << aside << " " << depth;
@@ -135,4 +135,4 @@ TEST(NarrowPhases, FclsContactsAreJudgedByTheOracle) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::detect

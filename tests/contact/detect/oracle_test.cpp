@@ -64,7 +64,7 @@ TEST(ThinPlates, AreNotPushedThroughEachOther) {
   const KnownPair known = find_truth(*c, draw_pair(*c, random));
   ASSERT_NEAR(known.parts[0].gap.s, -4.687e-4, 1e-7);
   Tally tally;
-  judge(known, 0, ContactDetector().detect(known.bodies, 0), tally);
+  judge(known, 0, detect::ContactDetector().detect(known.bodies, 0), tally);
   EXPECT_EQ(tally.contacts, 1);
   EXPECT_EQ(tally.wrong_normals + tally.wrong_depths, 0) << tally.worst_depth;
 }
@@ -72,7 +72,7 @@ TEST(ThinPlates, AreNotPushedThroughEachOther) {
 /// Two bodies whose best direction is near a cylinder's axis, or among other maxima of nearly the same height.
 struct NarrowTop {
   const char* name;
-  Shape a, b;
+  geometry::Shape a, b;
   Quat q_a, q_b;
   Vec3 p_b;
   double gap;  ///< [m]
@@ -84,15 +84,15 @@ class NarrowTopTest : public testing::TestWithParam<NarrowTop> {};
 
 TEST_P(NarrowTopTest, IsFound) {
   const NarrowTop& top = GetParam();
-  Bodies bodies;
-  add_body(bodies, top.a, Vec3::Zero(), top.q_a);
-  add_body(bodies, top.b, top.p_b, top.q_b);
+  bodies::Bodies bodies;
+  detect::add_body(bodies, top.a, Vec3::Zero(), top.q_a);
+  detect::add_body(bodies, top.b, top.p_b, top.q_b);
   PairClass c{};
   c.size = 1;
   const KnownPair known = find_truth(c, std::move(bodies));
   EXPECT_NEAR(known.parts[0].gap.s, top.gap, k_right_depth);
   Tally tally;
-  judge(known, 0, ContactDetector().detect(known.bodies, 0), tally);
+  judge(known, 0, detect::ContactDetector().detect(known.bodies, 0), tally);
   EXPECT_EQ(tally.contacts, 1);
   EXPECT_EQ(tally.wrong_normals, 0);
   EXPECT_EQ(tally.wrong_depths, 0) << tally.worst_depth;
@@ -102,29 +102,29 @@ INSTANTIATE_TEST_SUITE_P(
     OfCylinders, NarrowTopTest,
     testing::Values(
         NarrowTop{"rim_along_an_edge",
-                  cylinder_shape(0x1.006eaf6bfa056p-2, 0x1.60508ee8878ccp-2),
-                  box_shape({0x1.512815da76b76p-1, 0x1.f80109361afcp-1, 0x1.e8659a90e50a2p-1}),
+                  geometry::cylinder_shape(0x1.006eaf6bfa056p-2, 0x1.60508ee8878ccp-2),
+                  geometry::box_shape({0x1.512815da76b76p-1, 0x1.f80109361afcp-1, 0x1.e8659a90e50a2p-1}),
                   Quat(0.82221897576009317, -0.2891351464640326, 0.47965985392076455, -0.10140634849927574),
                   Quat(-0.59217857118666994, -0.50923637985773984, 0.56279603545394041, 0.27067225889260393),
                   {-0.57759576660450518, -0.34645459432184894, -0.35543889214956137},
                   -0.0046146083832327711},
         NarrowTop{"rims_16_and_6_degrees_from_their_axes",
-                  cylinder_shape(0x1.340e1d17b9a67p-3, 0x1.4ab6a0351c3e9p-1),
-                  cylinder_shape(0x1.cd1924be52365p-3, 0x1.870f03733b97cp-1),
+                  geometry::cylinder_shape(0x1.340e1d17b9a67p-3, 0x1.4ab6a0351c3e9p-1),
+                  geometry::cylinder_shape(0x1.cd1924be52365p-3, 0x1.870f03733b97cp-1),
                   Quat(0.2586870146204821, -0.70221311118417995, -0.12028879214345789, -0.65231003474762306),
                   Quat(0.68718980290709875, -0.32158242059154241, 0.64778620402824072, -0.068760129564085296),
                   {0.78886776630818112, -0.034548172972779893, -0.004461485634464483},
                   -0.001959329105991503},
         NarrowTop{"rim_and_rim_rather_than_side",
-                  cylinder_shape(0x1.59c7b812c2b8dp-3, 0x1.a45349c9fb3bp-3),
-                  cylinder_shape(0x1.258d369833662p-3, 0x1.8b40712f3fa7p-2),
+                  geometry::cylinder_shape(0x1.59c7b812c2b8dp-3, 0x1.a45349c9fb3bp-3),
+                  geometry::cylinder_shape(0x1.258d369833662p-3, 0x1.8b40712f3fa7p-2),
                   Quat(0.37524372758571123, -0.60207497829764089, 0.0023680691680825596, -0.70476397301784033),
                   Quat(-0.025278226835644159, -0.86650355259855261, -0.32986242078031791, -0.37379590867455065),
                   {0.24845180155907612, 0.14897985154321977, 0.14638559397709125},
                   -9.1200962388543472e-05},
         NarrowTop{"rims_next_to_a_cap",
-                  cylinder_shape(0x1.4ed9f57f2423cp-2, 0x1.7682783a88cep-2),
-                  cylinder_shape(0x1.b6cc86b61ad1p-2, 0x1.a3927071fc30cp-1),
+                  geometry::cylinder_shape(0x1.4ed9f57f2423cp-2, 0x1.7682783a88cep-2),
+                  geometry::cylinder_shape(0x1.b6cc86b61ad1p-2, 0x1.a3927071fc30cp-1),
                   Quat(-0.75824765353377821, 0.2210351984291565, -0.057814172718445231, 0.61062382724455222),
                   Quat(0.18194269713119535, -0.25316569095949182, -0.38622226312310293, 0.86812231358818204),
                   {-0.24190173182241398, -0.15735358361809543, -0.60385917902507058},
@@ -223,15 +223,15 @@ TEST(RememberedPairs, KeepTheDeepestCorner) {
   const auto quat = [](const std::array<double, 4>& q) { return Quat(q[0], q[1], q[2], q[3]); };
   for (const RememberedPair& pair : k_remembered_pairs) {
     SCOPED_TRACE(pair.name);
-    Bodies bodies;
+    bodies::Bodies bodies;
     for (const PosedFloe& floe : {pair.a, pair.b})
-      add_body(bodies, floe_shape(floe.outline, floe.thickness), floe.p, quat(floe.q));
-    Bodies earlier = bodies;
+      detect::add_body(bodies, detect::floe_shape(floe.outline, floe.thickness), floe.p, quat(floe.q));
+    bodies::Bodies earlier = bodies;
     earlier.set_pose(1, pair.p_earlier, quat(pair.q_earlier));
-    ContactDetector detector;
+    detect::ContactDetector detector;
     detector.detect(earlier, pair.margin_earlier);
     const auto points = detector.detect(bodies, k_margin);
-    EXPECT_GT(points.size(), k_spread_points);
+    EXPECT_GT(points.size(), detect::k_spread_points);
     ASSERT_FALSE(points.empty());
     EXPECT_NEAR(oracle::best_axis(oracle::posed(bodies, 0), oracle::posed(bodies, 1)).s, pair.s, 1e-14);
     EXPECT_NEAR(deepest_point(points)->gap, pair.s, k_right_depth);
@@ -241,10 +241,11 @@ TEST(RememberedPairs, KeepTheDeepestCorner) {
 // The oracle itself, where the answer is known.
 
 TEST(Oracle, DepthOfABoxInABoxAndOfACylinderInABox) {
-  Bodies bodies;
-  add_body(bodies, box_shape({2, 2, 1}), {0, 0, 0});
-  add_body(bodies, box_shape({1, 1, 1}), {0.2, 0.1, 0.9});
-  add_body(bodies, cylinder_shape(0.5, 2), {0, 1.4, 0.2}, Quat(Eigen::AngleAxisd(k_pi / 2, Vec3::UnitX())));
+  bodies::Bodies bodies;
+  detect::add_body(bodies, geometry::box_shape({2, 2, 1}), {0, 0, 0});
+  detect::add_body(bodies, geometry::box_shape({1, 1, 1}), {0.2, 0.1, 0.9});
+  detect::add_body(bodies, geometry::cylinder_shape(0.5, 2), {0, 1.4, 0.2},
+                   Quat(Eigen::AngleAxisd(k_pi / 2, Vec3::UnitX())));
   const auto solid = [&](int b) { return oracle::posed(bodies, b); };
   const auto boxes = oracle::true_gap(solid(0), solid(1));
   EXPECT_NEAR(boxes.s, -0.1, 1e-15);
@@ -254,10 +255,10 @@ TEST(Oracle, DepthOfABoxInABoxAndOfACylinderInABox) {
 }
 
 TEST(Oracle, DistanceOfVertexEdgeAndRim) {
-  Bodies bodies;
-  add_body(bodies, box_shape({2, 2, 2}), {0, 0, 0});
-  add_body(bodies, box_shape({2, 2, 2}), {2.3, 2.4, 0.5});
-  add_body(bodies, cylinder_shape(1, 2), {2.3, 0, 2.4});
+  bodies::Bodies bodies;
+  detect::add_body(bodies, geometry::box_shape({2, 2, 2}), {0, 0, 0});
+  detect::add_body(bodies, geometry::box_shape({2, 2, 2}), {2.3, 2.4, 0.5});
+  detect::add_body(bodies, geometry::cylinder_shape(1, 2), {2.3, 0, 2.4});
   const auto solid = [&](int b) { return oracle::posed(bodies, b); };
   const auto edges = oracle::true_gap(solid(0), solid(1)), rim = oracle::true_gap(solid(0), solid(2));
   EXPECT_NEAR(edges.s, 0.5, 1e-15);
@@ -267,9 +268,9 @@ TEST(Oracle, DistanceOfVertexEdgeAndRim) {
 }
 
 TEST(Oracle, DistanceOfTwoRims) {
-  Bodies bodies;
-  add_body(bodies, cylinder_shape(1, 2), {0, 0, 0});
-  add_body(bodies, cylinder_shape(2, 2), {3 + 0.3, 0, 2.4});
+  bodies::Bodies bodies;
+  detect::add_body(bodies, geometry::cylinder_shape(1, 2), {0, 0, 0});
+  detect::add_body(bodies, geometry::cylinder_shape(2, 2), {3 + 0.3, 0, 2.4});
   const auto gap = oracle::true_gap(oracle::posed(bodies, 0), oracle::posed(bodies, 1));
   EXPECT_NEAR(gap.s, 0.5, 1e-15);
   EXPECT_NEAR((gap.n - Vec3(0.6, 0, 0.8)).norm(), 0, 1e-7);

@@ -7,12 +7,12 @@
 #include "tests/contact/detect/bodies_of_tests.h"
 #include "tests/support/random_vectors.h"
 
-namespace nilas {
+namespace nilas::detect {
 namespace {
 
 constexpr double k_exact = 1e-14;
 
-std::vector<ContactPoint> contacts(const Bodies& bodies, double margin) {
+std::vector<ContactPoint> contacts(const bodies::Bodies& bodies, double margin) {
   return ContactDetector().detect(bodies, margin);
 }
 
@@ -25,9 +25,9 @@ void expect_point(const ContactPoint& c, const Vec3& p, const Vec3& n, double ga
 }
 
 TEST(Primitives, TwoSpheres) {
-  Bodies bodies;
-  add_body(bodies, sphere_shape(1), {1, 2, 3});
-  add_body(bodies, sphere_shape(2), Vec3(1, 2, 3) + 2.9 * Vec3(2, 3, 6) / 7);
+  bodies::Bodies bodies;
+  add_body(bodies, geometry::sphere_shape(1), {1, 2, 3});
+  add_body(bodies, geometry::sphere_shape(2), Vec3(1, 2, 3) + 2.9 * Vec3(2, 3, 6) / 7);
   const auto points = contacts(bodies, 0);
   ASSERT_EQ(points.size(), 1u);
   const Vec3 n = Vec3(2, 3, 6) / 7;
@@ -38,10 +38,10 @@ TEST(Primitives, SphereOnATiltedPlaneInEitherOrder) {
   const Quat tilt = turn(0.3, {1, 1, 0});
   const Vec3 up = tilt * Vec3::UnitZ();
   for (bool plane_first : {true, false}) {
-    Bodies bodies;
-    if (plane_first) add_body(bodies, plane_shape(), {0.1, 0.2, 0.3}, tilt, Motion::fixed);
-    add_body(bodies, sphere_shape(0.5), Vec3(0.1, 0.2, 0.3) + 0.51 * up + tilt * Vec3(3, 4, 0));
-    if (!plane_first) add_body(bodies, plane_shape(), {0.1, 0.2, 0.3}, tilt, Motion::fixed);
+    bodies::Bodies bodies;
+    if (plane_first) add_body(bodies, geometry::plane_shape(), {0.1, 0.2, 0.3}, tilt, bodies::Motion::fixed);
+    add_body(bodies, geometry::sphere_shape(0.5), Vec3(0.1, 0.2, 0.3) + 0.51 * up + tilt * Vec3(3, 4, 0));
+    if (!plane_first) add_body(bodies, geometry::plane_shape(), {0.1, 0.2, 0.3}, tilt, bodies::Motion::fixed);
     const auto points = contacts(bodies, 0.02);
     ASSERT_EQ(points.size(), 1u);
     const Vec3 foot = Vec3(0.1, 0.2, 0.3) + tilt * Vec3(3, 4, 0);
@@ -55,18 +55,18 @@ TEST(Primitives, SphereOnFaceEdgeCornerAndInsideOfABox) {
   };
   for (const Case& c : {Case{{0.2, -0.1, 1.3}, {0.2, -0.1, 0.5}}, Case{{1.0, 0.3, 0.9}, {0.5, 0.3, 0.5}},
                         Case{{0.8, 0.9, 0.7}, {0.5, 0.5, 0.5}}}) {
-    Bodies bodies;
-    add_body(bodies, box_shape({1, 1, 1}), {0, 0, 0}, Quat::Identity(), Motion::fixed);
+    bodies::Bodies bodies;
+    add_body(bodies, geometry::box_shape({1, 1, 1}), {0, 0, 0}, Quat::Identity(), bodies::Motion::fixed);
     const double distance = (c.centre - c.nearest).norm();
-    add_body(bodies, sphere_shape(distance + 0.01), c.centre);
+    add_body(bodies, geometry::sphere_shape(distance + 0.01), c.centre);
     const auto points = contacts(bodies, 0);
     ASSERT_EQ(points.size(), 1u);
     const Vec3 n = (c.centre - c.nearest) / distance;
     expect_point(points[0], c.nearest - 0.005 * n, n, -0.01);
   }
-  Bodies bodies;
-  add_body(bodies, box_shape({1, 1, 1}), {0, 0, 0});
-  add_body(bodies, sphere_shape(0.1), {0.1, 0.2, -0.45});
+  bodies::Bodies bodies;
+  add_body(bodies, geometry::box_shape({1, 1, 1}), {0, 0, 0});
+  add_body(bodies, geometry::sphere_shape(0.1), {0.1, 0.2, -0.45});
   const auto points = contacts(bodies, 0);
   ASSERT_EQ(points.size(), 1u);
   expect_point(points[0], {0.1, 0.2, -0.5 + 0.075}, -Vec3::UnitZ(), -0.15);
@@ -78,10 +78,10 @@ TEST(Primitives, SphereOnACylinder) {
   };
   for (const Case& c : {Case{{0.9, 1.2, 0.3}, {0.6, 0.8, 0.3}}, Case{{0.3, 0.4, 2.5}, {0.3, 0.4, 2}},
                         Case{{1.2, 1.6, 3}, {0.6, 0.8, 2}}}) {
-    Bodies bodies;
-    add_body(bodies, cylinder_shape(1, 4), {0, 0, 0});
+    bodies::Bodies bodies;
+    add_body(bodies, geometry::cylinder_shape(1, 4), {0, 0, 0});
     const double distance = (c.centre - c.nearest).norm();
-    add_body(bodies, sphere_shape(distance - 0.02), c.centre);
+    add_body(bodies, geometry::sphere_shape(distance - 0.02), c.centre);
     const auto points = contacts(bodies, 0.05);
     ASSERT_EQ(points.size(), 1u);
     const Vec3 n = (c.centre - c.nearest) / distance;
@@ -90,9 +90,9 @@ TEST(Primitives, SphereOnACylinder) {
 }
 
 TEST(Primitives, BoxOnAPlane) {
-  Bodies bodies;
-  add_body(bodies, plane_shape(), {0, 0, 0}, Quat::Identity(), Motion::fixed);
-  add_body(bodies, box_shape({1, 2, 0.4}), {5, 6, 0.199});
+  bodies::Bodies bodies;
+  add_body(bodies, geometry::plane_shape(), {0, 0, 0}, Quat::Identity(), bodies::Motion::fixed);
+  add_body(bodies, geometry::box_shape({1, 2, 0.4}), {5, 6, 0.199});
   const auto flat = contacts(bodies, 0.01);
   ASSERT_EQ(flat.size(), 4u);
   for (const ContactPoint& c : flat) {
@@ -108,8 +108,8 @@ TEST(Primitives, BoxOnAPlane) {
 }
 
 TEST(Primitives, HexagonOnAPlaneKeepsASymmetricSet) {
-  Bodies bodies;
-  add_body(bodies, plane_shape(), {0, 0, 0}, Quat::Identity(), Motion::fixed);
+  bodies::Bodies bodies;
+  add_body(bodies, geometry::plane_shape(), {0, 0, 0}, Quat::Identity(), bodies::Motion::fixed);
   add_body(bodies, floe_shape(regular_outline(6, 1), 0.2), {0, 0, 0.1});
   const auto points = contacts(bodies, 0.01);
   ASSERT_EQ(points.size(), 4u);
@@ -121,9 +121,9 @@ TEST(Primitives, HexagonOnAPlaneKeepsASymmetricSet) {
 
 TEST(Primitives, CylinderStandingLyingAndTiltedOnAPlane) {
   const double r = 0.3, h = 0.5;
-  Bodies bodies;
-  add_body(bodies, plane_shape(), {0, 0, 0}, Quat::Identity(), Motion::fixed);
-  add_body(bodies, cylinder_shape(r, 2 * h), {0, 0, h - 0.002}, turn(0.4, Vec3::UnitZ()));
+  bodies::Bodies bodies;
+  add_body(bodies, geometry::plane_shape(), {0, 0, 0}, Quat::Identity(), bodies::Motion::fixed);
+  add_body(bodies, geometry::cylinder_shape(r, 2 * h), {0, 0, h - 0.002}, turn(0.4, Vec3::UnitZ()));
   const auto standing = contacts(bodies, 0.01);
   ASSERT_EQ(standing.size(), 4u);
   for (const ContactPoint& c : standing) {
@@ -145,11 +145,11 @@ TEST(Primitives, CylinderStandingLyingAndTiltedOnAPlane) {
 }
 
 TEST(Primitives, UprightCylinderBesideAWallTouchesAlongALine) {
-  Bodies bodies;
-  add_body(bodies, box_shape({1, 4, 0.3}), {0, 0, 0.1}, Quat::Identity(), Motion::fixed);
+  bodies::Bodies bodies;
+  add_body(bodies, geometry::box_shape({1, 4, 0.3}), {0, 0, 0.1}, Quat::Identity(), bodies::Motion::fixed);
   for (double gap : {0.004, -0.004}) {
-    Bodies pair = bodies;
-    add_body(pair, cylinder_shape(0.7, 2), {1.2 + gap, 0.3, 0}, turn(0.4, Vec3::UnitZ()));
+    bodies::Bodies pair = bodies;
+    add_body(pair, geometry::cylinder_shape(0.7, 2), {1.2 + gap, 0.3, 0}, turn(0.4, Vec3::UnitZ()));
     const auto points = contacts(pair, 0.01);
     ASSERT_EQ(points.size(), 2u);
     for (const ContactPoint& c : points) {
@@ -163,10 +163,10 @@ TEST(Primitives, UprightCylinderBesideAWallTouchesAlongALine) {
 }
 
 TEST(Primitives, UprightCylinderBesideACornerTouchesRadially) {
-  Bodies bodies;
-  add_body(bodies, box_shape({1, 1, 0.4}), {0, 0, 0});
+  bodies::Bodies bodies;
+  add_body(bodies, geometry::box_shape({1, 1, 0.4}), {0, 0, 0});
   const Vec3 n = Vec3(3, 4, 0) / 5;
-  add_body(bodies, cylinder_shape(0.7, 2), Vec3(0.5, 0.5, 0) + 0.705 * n);
+  add_body(bodies, geometry::cylinder_shape(0.7, 2), Vec3(0.5, 0.5, 0) + 0.705 * n);
   const auto points = contacts(bodies, 0.01);
   ASSERT_EQ(points.size(), 2u);
   for (const ContactPoint& c : points) {
@@ -177,9 +177,9 @@ TEST(Primitives, UprightCylinderBesideACornerTouchesRadially) {
 }
 
 TEST(Primitives, CylinderStandsOnABox) {
-  Bodies bodies;
-  add_body(bodies, box_shape({2, 2, 1}), {0, 0, -0.5}, Quat::Identity(), Motion::fixed);
-  add_body(bodies, cylinder_shape(0.4, 1), {0.1, 0.2, 0.499});
+  bodies::Bodies bodies;
+  add_body(bodies, geometry::box_shape({2, 2, 1}), {0, 0, -0.5}, Quat::Identity(), bodies::Motion::fixed);
+  add_body(bodies, geometry::cylinder_shape(0.4, 1), {0.1, 0.2, 0.499});
   const auto points = contacts(bodies, 0.01);
   ASSERT_EQ(points.size(), 4u);
   for (const ContactPoint& c : points) {
@@ -189,9 +189,9 @@ TEST(Primitives, CylinderStandsOnABox) {
 }
 
 TEST(Primitives, TwoCylinders) {
-  Bodies bodies;
-  add_body(bodies, cylinder_shape(0.5, 2), {0, 0, 0});
-  add_body(bodies, cylinder_shape(0.25, 2), {0.1, 0.74, 0.2}, turn(k_pi / 2, Vec3::UnitY()));
+  bodies::Bodies bodies;
+  add_body(bodies, geometry::cylinder_shape(0.5, 2), {0, 0, 0});
+  add_body(bodies, geometry::cylinder_shape(0.25, 2), {0.1, 0.74, 0.2}, turn(k_pi / 2, Vec3::UnitY()));
   const auto crossed = contacts(bodies, 0);
   ASSERT_EQ(crossed.size(), 1u);
   expect_point(crossed[0], {0, 0.495, 0.2}, Vec3::UnitY(), -0.01, 1e-12);
@@ -207,9 +207,9 @@ TEST(Primitives, TwoCylinders) {
 
 /// All directions normal to the common axis are equally good.
 TEST(Primitives, CoaxialCylindersInsideEachOtherOverlapByBothRadii) {
-  Bodies bodies;
-  add_body(bodies, cylinder_shape(0.5, 4), {0, 0, 0});
-  add_body(bodies, cylinder_shape(0.25, 3), {0, 0, 0.1}, turn(0.7, Vec3::UnitZ()));
+  bodies::Bodies bodies;
+  add_body(bodies, geometry::cylinder_shape(0.5, 4), {0, 0, 0});
+  add_body(bodies, geometry::cylinder_shape(0.25, 3), {0, 0, 0.1}, turn(0.7, Vec3::UnitZ()));
   const auto points = contacts(bodies, 0);
   ASSERT_FALSE(points.empty());
   for (const ContactPoint& c : points) {
@@ -246,9 +246,9 @@ TEST(Primitives, CylinderAndBoxAtAnyAttitudeHaveTheTrueDistance) {
                     1.1 * Vec3(random.normal(), random.normal(), random.normal()).normalized()};
     const double truth = distance_by_projections(size, pose, 0.3, 0.4);
     if (truth < 1e-3) continue;
-    Bodies bodies;
-    add_body(bodies, box_shape(size), {0, 0, 0});
-    add_body(bodies, cylinder_shape(0.3, 0.8), pose.p, pose.q);
+    bodies::Bodies bodies;
+    add_body(bodies, geometry::box_shape(size), {0, 0, 0});
+    add_body(bodies, geometry::cylinder_shape(0.3, 0.8), pose.p, pose.q);
     const auto points = contacts(bodies, 3);
     ASSERT_FALSE(points.empty());
     double gap = 3;
@@ -261,4 +261,4 @@ TEST(Primitives, CylinderAndBoxAtAnyAttitudeHaveTheTrueDistance) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::detect

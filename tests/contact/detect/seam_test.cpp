@@ -9,23 +9,23 @@
 #include "tests/contact/detect/bodies_of_tests.h"
 #include "tests/support/random_vectors.h"
 
-namespace nilas {
+namespace nilas::detect {
 namespace {
 
 constexpr double k_depth = 1e-3;
 
-ConvexPolytope box_part(const Vec3& low, const Vec3& high) {
-  ConvexPolytope box = make_box(high - low);
+geometry::ConvexPolytope box_part(const Vec3& low, const Vec3& high) {
+  geometry::ConvexPolytope box = geometry::make_box(high - low);
   for (Vec3& v : box.vertices) v += 0.5 * (low + high);
-  complete(box);
+  geometry::complete(box);
   return box;
 }
 
 /// A wall along x from -4 to 4, y from -1 to 0, z from -0.5 to 0.5, cut into the given stretches of x.
-Shape wall(const std::vector<std::pair<double, double>>& stretches) {
-  std::vector<ConvexPolytope> parts;
+geometry::Shape wall(const std::vector<std::pair<double, double>>& stretches) {
+  std::vector<geometry::ConvexPolytope> parts;
   for (const auto& [from, to] : stretches) parts.push_back(box_part({from, -1, -0.5}, {to, 0, 0.5}));
-  return mesh_shape(box_shape({8, 1, 1}).surface, parts);
+  return geometry::mesh_shape(geometry::box_shape({8, 1, 1}).surface, parts);
 }
 
 const std::vector<std::vector<std::pair<double, double>>> k_walls{{{-4, 4}},
@@ -35,7 +35,7 @@ const std::vector<std::vector<std::pair<double, double>>> k_walls{{{-4, 4}},
                                                                   {{-4, 4}, {-1, 1}}};
 
 TEST(Seams, InnerFacesAndEdgesAreKnown) {
-  Bodies bodies;
+  bodies::Bodies bodies;
   add_body(bodies, wall({{-4, 0}, {0, 4}}), {0, 0, 0});
   for (const Part& part : make_parts(bodies, 0)) {
     ASSERT_TRUE(part.cover);
@@ -47,10 +47,10 @@ TEST(Seams, InnerFacesAndEdgesAreKnown) {
     for (std::size_t e = 0; e < part.facets->edges.size(); ++e)
       EXPECT_EQ(part.cover->edge_is_internal[e] != 0, std::abs(part.facets->edges[e].middle.x()) < 1e-12) << e;
   }
-  Bodies partly;
+  bodies::Bodies partly;
   add_body(partly,
-           mesh_shape(box_shape({8, 1, 1}).surface,
-                      {box_part({-4, -1, -0.5}, {0, 0, 0.5}), box_part({0, -1, -0.5}, {4, 0, 0.7})}),
+           geometry::mesh_shape(geometry::box_shape({8, 1, 1}).surface,
+                                {box_part({-4, -1, -0.5}, {0, 0, 0.5}), box_part({0, -1, -0.5}, {4, 0, 0.7})}),
            {0, 0, 0});
   const auto parts = make_parts(partly, 0);
   const auto inner = [](const Part& part) {
@@ -61,17 +61,18 @@ TEST(Seams, InnerFacesAndEdgesAreKnown) {
 }
 
 TEST(Seams, OnePartAloneHasNoCover) {
-  Bodies bodies;
+  bodies::Bodies bodies;
   add_body(bodies, wall({{-4, 4}}), {0, 0, 0});
   EXPECT_FALSE(make_parts(bodies, 0)[0].cover);
 }
 
 /// Moves the floe along the wall in steps that pass the seams, at depths between touching and deep.
-void expect_contacts_of_one_wall(const std::vector<std::pair<double, double>>& stretches, const Shape& floe,
+void expect_contacts_of_one_wall(const std::vector<std::pair<double, double>>& stretches, const geometry::Shape& floe,
                                  const Vec3& at, const Vec3& out, const Quat& turn) {
-  Bodies one, several;
-  for (auto& [bodies, shape] : {std::pair<Bodies&, Shape>{one, wall({{-4, 4}})}, {several, wall(stretches)}}) {
-    add_body(bodies, shape, {0, 0, 0}, Quat::Identity(), Motion::fixed);
+  bodies::Bodies one, several;
+  for (auto& [bodies, shape] :
+       {std::pair<bodies::Bodies&, geometry::Shape>{one, wall({{-4, 4}})}, {several, wall(stretches)}}) {
+    add_body(bodies, shape, {0, 0, 0}, Quat::Identity(), bodies::Motion::fixed);
     add_body(bodies, floe, at, turn);
   }
   ContactDetector of_one, of_several;
@@ -93,50 +94,54 @@ void expect_contacts_of_one_wall(const std::vector<std::pair<double, double>>& s
 
 TEST(Seams, AFloeBesideTouchesAsOnOneSide) {
   for (const auto& stretches : k_walls)
-    expect_contacts_of_one_wall(stretches, box_shape({1, 1, 0.2}), {0, 0.5, 0.1}, Vec3::UnitY(), Quat::Identity());
+    expect_contacts_of_one_wall(stretches, geometry::box_shape({1, 1, 0.2}), {0, 0.5, 0.1}, Vec3::UnitY(),
+                                Quat::Identity());
 }
 
 TEST(Seams, AFloeOnTopAndBelowTouchesAsOnOneFace) {
   for (const auto& stretches : k_walls)
     for (double side : {1.0, -1.0})
-      expect_contacts_of_one_wall(stretches, box_shape({1, 0.5, 0.2}), {0, -0.4, 0.6 * side}, side * Vec3::UnitZ(),
-                                  Quat::Identity());
+      expect_contacts_of_one_wall(stretches, geometry::box_shape({1, 0.5, 0.2}), {0, -0.4, 0.6 * side},
+                                  side * Vec3::UnitZ(), Quat::Identity());
 }
 
 TEST(Seams, AFloeThatIsAskewTouchesWithItsCorner) {
   const Quat turn(Eigen::AngleAxisd(0.3, Vec3::UnitZ()));
   const double reach = 0.5 * (std::cos(0.3) + std::sin(0.3));
   for (const auto& stretches : k_walls)
-    expect_contacts_of_one_wall(stretches, box_shape({1, 1, 0.2}), {0, reach, 0.1}, Vec3::UnitY(), turn);
+    expect_contacts_of_one_wall(stretches, geometry::box_shape({1, 1, 0.2}), {0, reach, 0.1}, Vec3::UnitY(), turn);
 }
 
 TEST(Seams, ASlightlyTurnedFloeTouchesAsOnOneSide) {
   for (const auto& stretches : k_walls)
     for (const Vec3& axis : {Vec3(0, 0, 1), Vec3(1, 0, 0), Vec3(1, 0.5, 2), Vec3(-0.4, 0.3, -1)}) {
       const Quat turn(Eigen::AngleAxisd(2e-3, axis.normalized()));
-      expect_contacts_of_one_wall(stretches, box_shape({1, 1, 0.2}), {0, 0.501, 0.1}, Vec3::UnitY(), turn);
+      expect_contacts_of_one_wall(stretches, geometry::box_shape({1, 1, 0.2}), {0, 0.501, 0.1}, Vec3::UnitY(), turn);
     }
 }
 
 TEST(Seams, DiscsAndBallsPassSeams) {
   for (const auto& stretches : k_walls) {
-    expect_contacts_of_one_wall(stretches, cylinder_shape(0.5, 0.2), {0, 0.5, 0.1}, Vec3::UnitY(), Quat::Identity());
-    expect_contacts_of_one_wall(stretches, sphere_shape(0.5), {0, 0.5, 0.1}, Vec3::UnitY(), Quat::Identity());
+    expect_contacts_of_one_wall(stretches, geometry::cylinder_shape(0.5, 0.2), {0, 0.5, 0.1}, Vec3::UnitY(),
+                                Quat::Identity());
+    expect_contacts_of_one_wall(stretches, geometry::sphere_shape(0.5), {0, 0.5, 0.1}, Vec3::UnitY(), Quat::Identity());
   }
 }
 
 /// Arms along x and y, [0, 2] x [0, 1] and [0, 1] x [0, 2], in several decompositions.
 TEST(Seams, AConcaveCornerKeepsBothContacts) {
   const auto arm = [](double x0, double y0, double x1, double y1) { return box_part({x0, y0, -0.5}, {x1, y1, 0.5}); };
-  const std::vector<std::vector<ConvexPolytope>> partings{{arm(0, 0, 2, 1), arm(0, 0, 1, 2)},
-                                                          {arm(0, 0, 2, 1), arm(0, 1, 1, 2)},
-                                                          {arm(1, 0, 2, 1), arm(0, 0, 1, 2)},
-                                                          {arm(0, 0, 1, 1), arm(1, 0, 2, 1), arm(0, 1, 1, 2)}};
+  const std::vector<std::vector<geometry::ConvexPolytope>> partings{
+      {arm(0, 0, 2, 1), arm(0, 0, 1, 2)},
+      {arm(0, 0, 2, 1), arm(0, 1, 1, 2)},
+      {arm(1, 0, 2, 1), arm(0, 0, 1, 2)},
+      {arm(0, 0, 1, 1), arm(1, 0, 2, 1), arm(0, 1, 1, 2)}};
   for (const auto& parts : partings)
     for (double depth : {1e-9, 1e-4, 5e-3}) {
-      Bodies bodies;
-      add_body(bodies, mesh_shape(box_shape({4, 4, 1}).surface, parts), {0, 0, 0}, Quat::Identity(), Motion::fixed);
-      add_body(bodies, box_shape({0.6, 0.6, 0.2}), {1.3 - depth, 1.3 - 2 * depth, 0});
+      bodies::Bodies bodies;
+      add_body(bodies, geometry::mesh_shape(geometry::box_shape({4, 4, 1}).surface, parts), {0, 0, 0}, Quat::Identity(),
+               bodies::Motion::fixed);
+      add_body(bodies, geometry::box_shape({0.6, 0.6, 0.2}), {1.3 - depth, 1.3 - 2 * depth, 0});
       int along_x = 0, along_y = 0;
       double nearest_to_corner = 1;
       const auto points = ContactDetector().detect(bodies, 0.01);
@@ -155,10 +160,12 @@ TEST(Seams, AConcaveCornerKeepsBothContacts) {
 
 /// A face half hidden by the neighbour touches with its visible half.
 TEST(Seams, AFaceThatStandsOutTouchesWithWhatStandsOut) {
-  Bodies bodies;
-  const std::vector<ConvexPolytope> parts{box_part({-4, -1, -0.5}, {0, 0, 0.5}), box_part({0, -1, -0.5}, {4, 0, 1.5})};
-  add_body(bodies, mesh_shape(box_shape({8, 1, 3}).surface, parts), {0, 0, 0}, Quat::Identity(), Motion::fixed);
-  add_body(bodies, box_shape({0.6, 0.6, 0.6}), {-0.3 + 1e-3, -0.5, 0.8 - 1e-4});
+  bodies::Bodies bodies;
+  const std::vector<geometry::ConvexPolytope> parts{box_part({-4, -1, -0.5}, {0, 0, 0.5}),
+                                                    box_part({0, -1, -0.5}, {4, 0, 1.5})};
+  add_body(bodies, geometry::mesh_shape(geometry::box_shape({8, 1, 3}).surface, parts), {0, 0, 0}, Quat::Identity(),
+           bodies::Motion::fixed);
+  add_body(bodies, geometry::box_shape({0.6, 0.6, 0.6}), {-0.3 + 1e-3, -0.5, 0.8 - 1e-4});
   int against_the_step = 0, on_top = 0;
   for (const ContactPoint& c : ContactDetector().detect(bodies, 0.01)) {
     const bool is_step = (c.n + Vec3::UnitX()).norm() < 1e-12;
@@ -176,7 +183,7 @@ TEST(Seams, APartedFloeTouchesAsTheWholeOne) {
   RandomStream random(17, "parted");
   int compared = 0;
   for (int k = 0; k < 600; ++k) {
-    const Shape whole = floe_shape(random_outline(random, 1), 0.3);
+    const geometry::Shape whole = floe_shape(random_outline(random, 1), 0.3);
     const double at = random.uniform(-0.4, 0.4), overlap = k % 2 == 0 ? 0.0 : random.uniform(0, 0.3);
     const auto side = [&](double sign) {
       std::vector<Vec2> kept;
@@ -187,14 +194,14 @@ TEST(Seams, APartedFloeTouchesAsTheWholeOne) {
         if (at_p >= 0) kept.push_back(p);
         if ((at_p >= 0) != (at_q >= 0)) kept.push_back(p + at_p / (at_p - at_q) * (q - p));
       }
-      return make_prism(kept, -0.15, 0.15);
+      return geometry::make_prism(kept, -0.15, 0.15);
     };
-    const Shape parted = mesh_shape(whole.surface, {side(1), side(-1)});
-    const Shape other = floe_shape(random_outline(random, 0.6), 0.3);
+    const geometry::Shape parted = geometry::mesh_shape(whole.surface, {side(1), side(-1)});
+    const geometry::Shape other = floe_shape(random_outline(random, 0.6), 0.3);
     const Vec3 way = Vec3(random.normal(), random.normal(), k % 3 == 0 ? 2.0 : 0.05 * random.normal()).normalized();
     const Quat turn = random_tilt(random, 0.02), other_turn = random_tilt(random, 0.02);
-    const auto placed = [&](const Shape& shape, double distance) {
-      Bodies bodies;
+    const auto placed = [&](const geometry::Shape& shape, double distance) {
+      bodies::Bodies bodies;
       add_body(bodies, shape, {0, 0, 0}, turn);
       add_body(bodies, other, distance * way, other_turn);
       return bodies;
@@ -227,27 +234,28 @@ TEST(Seams, APartedFloeTouchesAsTheWholeOne) {
 
 /// A body is found at any depth. Up to half the thinner body's thickness the depth is right, too.
 TEST(Seams, ABodyDeepInAPartedOneIsFound) {
-  const Shape whole = box_shape({2, 1, 0.5});
-  const std::vector<Shape> parted{
-      mesh_shape(whole.surface,
-                 {box_part({-1, -0.5, -0.25}, {0, 0.5, 0.25}), box_part({0, -0.5, -0.25}, {1, 0.5, 0.25})}),
-      mesh_shape(whole.surface, {box_part({-1, -0.5, -0.25}, {0, 0, 0.25}), box_part({0, -0.5, -0.25}, {1, 0, 0.25}),
-                                 box_part({-1, 0, -0.25}, {0, 0.5, 0.25}), box_part({0, 0, -0.25}, {1, 0.5, 0.25})})};
+  const geometry::Shape whole = geometry::box_shape({2, 1, 0.5});
+  const std::vector<geometry::Shape> parted{
+      geometry::mesh_shape(whole.surface,
+                           {box_part({-1, -0.5, -0.25}, {0, 0.5, 0.25}), box_part({0, -0.5, -0.25}, {1, 0.5, 0.25})}),
+      geometry::mesh_shape(whole.surface,
+                           {box_part({-1, -0.5, -0.25}, {0, 0, 0.25}), box_part({0, -0.5, -0.25}, {1, 0, 0.25}),
+                            box_part({-1, 0, -0.25}, {0, 0.5, 0.25}), box_part({0, 0, -0.25}, {1, 0.5, 0.25})})};
   RandomStream random(3, "deep");
   int deep = 0;
   for (int k = 0; k < 4000; ++k) {
     const Vec3 p(random.uniform(-0.3, 0.3), random.uniform(-0.55, 0.55), random.uniform(-0.3, 0.3));
     const Quat q = k % 2 != 0 ? random_tilt(random, 0.1) : test::random_attitude(random);
-    const auto depth_in = [&](const Shape& host) {
-      Bodies bodies;
+    const auto depth_in = [&](const geometry::Shape& host) {
+      bodies::Bodies bodies;
       add_body(bodies, host, Vec3::Zero());
-      add_body(bodies, box_shape({0.4, 0.3, 0.1}), p, q);
+      add_body(bodies, geometry::box_shape({0.4, 0.3, 0.1}), p, q);
       double deepest = 0;
       for (const ContactPoint& c : ContactDetector().detect(bodies, 0.01)) deepest = std::max(deepest, -c.gap);
       return deepest;
     };
     const double of_whole = depth_in(whole);
-    for (const Shape& host : parted) {
+    for (const geometry::Shape& host : parted) {
       const double of_parted = depth_in(host);
       EXPECT_EQ(of_parted > 0, of_whole > 0) << k << ": " << of_whole;
       EXPECT_TRUE(of_whole > 0.05 || of_parted > 0.99 * of_whole) << k << ": " << of_whole << " " << of_parted;
@@ -258,4 +266,4 @@ TEST(Seams, ABodyDeepInAPartedOneIsFound) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::detect

@@ -5,7 +5,7 @@
 #include "contact/detect/broad/part_cover.h"
 #include "tests/contact/detect/bodies_of_tests.h"
 
-namespace nilas {
+namespace nilas::detect {
 namespace {
 
 double area_of(const std::vector<Vec3>& loop) {
@@ -14,19 +14,19 @@ double area_of(const std::vector<Vec3>& loop) {
   return 0.5 * twice.norm();
 }
 
-ConvexPolytope moved(ConvexPolytope polytope, const Vec3& by) {
+geometry::ConvexPolytope moved(geometry::ConvexPolytope polytope, const Vec3& by) {
   for (Vec3& x : polytope.vertices) x += by;
-  complete(polytope);
+  geometry::complete(polytope);
   return polytope;
 }
 
 /// Area of the surface of a body of these convex pieces, and a mean of its normals that vanishes for a closed surface.
-std::pair<double, double> surface(const std::vector<ConvexPolytope>& parts) {
-  Bodies bodies;
-  BodySpec spec;
-  Shape shape = box_shape(Vec3(4, 4, 4));
+std::pair<double, double> surface(const std::vector<geometry::ConvexPolytope>& parts) {
+  bodies::Bodies bodies;
+  bodies::BodySpec spec;
+  geometry::Shape shape = geometry::box_shape(Vec3(4, 4, 4));
   shape.parts = parts;
-  spec.shape = std::make_shared<const Shape>(std::move(shape));
+  spec.shape = std::make_shared<const geometry::Shape>(std::move(shape));
   spec.mass = 1;
   bodies.add(spec);
   double area = 0;
@@ -44,29 +44,31 @@ std::pair<double, double> surface(const std::vector<ConvexPolytope>& parts) {
 constexpr double k_tolerance = 3e-5;  // [m^2]
 
 TEST(ShownPieces, OfABoxAloneAreItsFaces) {
-  const auto [area, sum] = surface({make_box(Vec3(1, 2, 3))});
+  const auto [area, sum] = surface({geometry::make_box(Vec3(1, 2, 3))});
   EXPECT_NEAR(area, 22, 1e-12);
   EXPECT_NEAR(sum, 0, 1e-12);
 }
 
 TEST(ShownPieces, OfABoxInTwoPartsAreThoseOfTheWhole) {
-  const auto [area, sum] =
-      surface({moved(make_box(Vec3(0.4, 2, 3)), Vec3(-0.3, 0, 0)), moved(make_box(Vec3(0.6, 2, 3)), Vec3(0.2, 0, 0))});
+  const auto [area, sum] = surface({moved(geometry::make_box(Vec3(0.4, 2, 3)), Vec3(-0.3, 0, 0)),
+                                    moved(geometry::make_box(Vec3(0.6, 2, 3)), Vec3(0.2, 0, 0))});
   EXPECT_NEAR(area, 22, 1e-12);
   EXPECT_NEAR(sum, 0, 1e-12);
 }
 
 TEST(ShownPieces, OfABoxOnALargerOneLeaveItsFootprintOut) {
-  const auto [area, sum] = surface({make_box(Vec3(2, 2, 1)), moved(make_box(Vec3(1, 1, 1)), Vec3(0.2, 0, 1))});
+  const auto [area, sum] =
+      surface({geometry::make_box(Vec3(2, 2, 1)), moved(geometry::make_box(Vec3(1, 1, 1)), Vec3(0.2, 0, 1))});
   EXPECT_NEAR(area, 16 + 4, k_tolerance);
   EXPECT_NEAR(sum, 0, k_tolerance);
 }
 
 TEST(ShownPieces, OfBoxesThatOverlapLeaveOutWhatIsInside) {
-  const auto [area, sum] = surface({make_box(Vec3(2, 1, 1)), moved(make_box(Vec3(1, 3, 0.5)), Vec3(0.3, 0, 0))});
+  const auto [area, sum] =
+      surface({geometry::make_box(Vec3(2, 1, 1)), moved(geometry::make_box(Vec3(1, 3, 0.5)), Vec3(0.3, 0, 0))});
   EXPECT_NEAR(area, 10 + 4 * 0.5 + 2 * (1 * 2), k_tolerance) << "two arms 1 m long, 1 m x 0.5 m across";
   EXPECT_NEAR(sum, 0, k_tolerance);
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::detect

@@ -8,7 +8,7 @@
 #include "tests/contact/detect/bodies_of_tests.h"
 #include "tests/support/collision/swept_pairs.h"
 
-namespace nilas {
+namespace nilas::detect {
 namespace {
 
 BodyMotion motion_of(const oracle::Way& way) { return {way.p, way.q.toRotationMatrix(), way.way, way.turn}; }
@@ -18,21 +18,21 @@ struct SweptPair {
   explicit SweptPair(const oracle::PairOnItsWay& pair) : SweptPair(mesh_of(pair.a), mesh_of(pair.b)) {
     motions = {motion_of(pair.way_a), motion_of(pair.way_b)};
   }
-  SweptPair(const Shape& a, const Shape& b) : motions(2) {
+  SweptPair(const geometry::Shape& a, const geometry::Shape& b) : motions(2) {
     add_body(bodies, a, Vec3::Zero());
     add_body(bodies, b, Vec3::Zero());
     for (int k : {0, 1}) parts.push_back(std::move(make_parts(bodies, k).front()));
   }
-  static Shape mesh_of(const ConvexPolytope& polytope) {
-    Shape shape;
-    shape.kind = ShapeKind::mesh;
+  static geometry::Shape mesh_of(const geometry::ConvexPolytope& polytope) {
+    geometry::Shape shape;
+    shape.kind = geometry::ShapeKind::mesh;
     shape.parts = {polytope};
     shape.bounding_radius = polytope.centre.norm() + polytope.radius;
     return shape;
   }
   TimeOfImpact find() { return time_of_impact(parts[0], motions[0], parts[1], motions[1], fcl, room); }
 
-  Bodies bodies;
+  bodies::Bodies bodies;
   std::vector<Part> parts;
   std::vector<BodyMotion> motions;
   FclShapes fcl;
@@ -92,20 +92,45 @@ TEST(Swept, RoundPartsAndPlanesHitAtTheirInstants) {
   const Quat aside(Eigen::AngleAxisd(0.5 * k_pi, Vec3::UnitX()));
   struct Case {
     const char* name;
-    Shape a, b;
+    geometry::Shape a, b;
     Vec3 from, way;
     double t;
   };
   const std::vector<Case> cases{
-      {"sphere on plane", plane_shape(), sphere_shape(0.1), {0, 0, 1.1}, {3, 0, -4}, 0.25},
-      {"plane under sphere", sphere_shape(0.1), plane_shape(), {0, 0, -1.1}, {0, 0, 4}, 0.25},
-      {"box on plane", plane_shape(), box_shape({2, 2, 0.02}), {0, 0, 1.01}, {0, 0, -4}, 0.25},
-      {"cylinder on plane", plane_shape(), cylinder_shape(0.5, 0.02), {0, 0, 1.01}, {0, 0, -4}, 0.25},
-      {"sphere through plate", box_shape({2, 2, 0.02}), sphere_shape(0.1), {0, 0, 1.11}, {0, 0, -4}, 0.25},
-      {"plate through sphere", sphere_shape(0.1), box_shape({2, 2, 0.02}), {0, 0, 1.11}, {0, 0, -4}, 0.25},
-      {"sphere on sphere", sphere_shape(0.1), sphere_shape(0.2), {0, 0, 1.3}, {0, 0, -4}, 0.25},
-      {"cylinder through plate", box_shape({2, 2, 0.02}), cylinder_shape(0.3, 0.02), {0, 0, 1.02}, {0, 0, -4}, 0.25},
-      {"cylinder on cylinder", cylinder_shape(0.5, 0.02), cylinder_shape(0.3, 0.02), {0, 0, 1.02}, {0, 0, -4}, 0.25}};
+      {"sphere on plane", geometry::plane_shape(), geometry::sphere_shape(0.1), {0, 0, 1.1}, {3, 0, -4}, 0.25},
+      {"plane under sphere", geometry::sphere_shape(0.1), geometry::plane_shape(), {0, 0, -1.1}, {0, 0, 4}, 0.25},
+      {"box on plane", geometry::plane_shape(), geometry::box_shape({2, 2, 0.02}), {0, 0, 1.01}, {0, 0, -4}, 0.25},
+      {"cylinder on plane",
+       geometry::plane_shape(),
+       geometry::cylinder_shape(0.5, 0.02),
+       {0, 0, 1.01},
+       {0, 0, -4},
+       0.25},
+      {"sphere through plate",
+       geometry::box_shape({2, 2, 0.02}),
+       geometry::sphere_shape(0.1),
+       {0, 0, 1.11},
+       {0, 0, -4},
+       0.25},
+      {"plate through sphere",
+       geometry::sphere_shape(0.1),
+       geometry::box_shape({2, 2, 0.02}),
+       {0, 0, 1.11},
+       {0, 0, -4},
+       0.25},
+      {"sphere on sphere", geometry::sphere_shape(0.1), geometry::sphere_shape(0.2), {0, 0, 1.3}, {0, 0, -4}, 0.25},
+      {"cylinder through plate",
+       geometry::box_shape({2, 2, 0.02}),
+       geometry::cylinder_shape(0.3, 0.02),
+       {0, 0, 1.02},
+       {0, 0, -4},
+       0.25},
+      {"cylinder on cylinder",
+       geometry::cylinder_shape(0.5, 0.02),
+       geometry::cylinder_shape(0.3, 0.02),
+       {0, 0, 1.02},
+       {0, 0, -4},
+       0.25}};
   for (const Case& c : cases) {
     SCOPED_TRACE(c.name);
     SweptPair swept(c.a, c.b);
@@ -123,7 +148,7 @@ TEST(Swept, RoundPartsAndPlanesHitAtTheirInstants) {
 
 /// A rod that turns in place by 2.5 rad meets a post beside it when it has turned to the post's angle.
 TEST(Swept, ATurningRodMeetsThePostAtItsAngle) {
-  SweptPair swept(box_shape({0.02, 0.02, 1}), box_shape({2, 0.01, 0.01}));
+  SweptPair swept(geometry::box_shape({0.02, 0.02, 1}), geometry::box_shape({2, 0.01, 0.01}));
   const double angle = 1.2, reach = 0.8;
   swept.motions[0].p = Vec3(reach * std::cos(angle), reach * std::sin(angle), 0);
   swept.motions[0].R = Eigen::AngleAxisd(angle, Vec3::UnitZ()).toRotationMatrix();
@@ -137,7 +162,7 @@ TEST(Swept, ATurningRodMeetsThePostAtItsAngle) {
 }
 
 TEST(Swept, PartsThatTouchAtTheStartHitAtOnce) {
-  SweptPair swept(box_shape({1, 1, 0.1}), box_shape({1, 1, 0.1}));
+  SweptPair swept(geometry::box_shape({1, 1, 0.1}), geometry::box_shape({1, 1, 0.1}));
   swept.motions[1].p = Vec3(0, 0, 0.1);
   swept.motions[1].way = Vec3(0, 0, 1);
   const TimeOfImpact found = swept.find();
@@ -159,4 +184,4 @@ TEST(Swept, FarFromTheOriginTheTimeIsTheSame) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::detect

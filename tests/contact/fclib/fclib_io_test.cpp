@@ -13,7 +13,7 @@
 #include "tests/support/program.h"
 #include "tests/support/refusal.h"
 
-namespace nilas {
+namespace nilas::contact {
 namespace {
 
 using nilas_test::ScratchFolder;
@@ -37,7 +37,7 @@ struct GlobalFile {
   std::string root = "fclib_global";
 };
 
-void add_stored(Hdf5Writer& file, const std::string& group, const Stored& matrix) {
+void add_stored(hdf5::Hdf5Writer& file, const std::string& group, const Stored& matrix) {
   file.add_group(group);
   file.add(group + "/m", std::vector<int>{matrix.m});
   file.add(group + "/n", std::vector<int>{matrix.n});
@@ -48,8 +48,8 @@ void add_stored(Hdf5Writer& file, const std::string& group, const Stored& matrix
   file.add(group + "/x", matrix.x);
 }
 
-void write(const GlobalFile& problem, const fs::path& path, const std::function<void(Hdf5Writer&)>& more = {}) {
-  Hdf5Writer file;
+void write(const GlobalFile& problem, const fs::path& path, const std::function<void(hdf5::Hdf5Writer&)>& more = {}) {
+  hdf5::Hdf5Writer file;
   file.add_group(problem.root);
   file.add(problem.root + "/spacedim", std::vector<int>{problem.spacedim});
   add_stored(file, problem.root + "/M", problem.mass);
@@ -63,7 +63,7 @@ void write(const GlobalFile& problem, const fs::path& path, const std::function<
 }
 
 void write_local(const Stored& w, const fs::path& path, const std::vector<double>& mu = {0.3, 0.5}) {
-  Hdf5Writer file;
+  hdf5::Hdf5Writer file;
   file.add_group("fclib_local");
   file.add("fclib_local/spacedim", std::vector<int>{3});
   add_stored(file, "fclib_local/W", w);
@@ -145,7 +145,7 @@ TEST(FclibIo, LocalProblemsComeBackAsWritten) {
   EXPECT_EQ(again.title, "two contacts");
   ASSERT_TRUE(again.solution.has_value());
   EXPECT_EQ(*again.solution, solution.r);
-  EXPECT_EQ(Hdf5Reader(folder.path() / "out.hdf5").numbers("solution/u"), solution.u);
+  EXPECT_EQ(hdf5::Hdf5Reader(folder.path() / "out.hdf5").numbers("solution/u"), solution.u);
 }
 
 TEST(FclibIo, GlobalProblemsComeBackAsWritten) {
@@ -187,7 +187,7 @@ TEST(FclibIo, DegreesOfFreedomKeepTheFilesOrder) {
   const auto read = read_fclib(folder.path() / "in.hdf5");
   EXPECT_EQ(read.dof_of_file, (std::vector<int>{0, 5, 1, 4, 2, 3}));
   write_fclib(folder.path() / "out.hdf5", read, nullptr);
-  EXPECT_EQ(Hdf5Reader(folder.path() / "out.hdf5").numbers("fclib_global/vectors/f"),
+  EXPECT_EQ(hdf5::Hdf5Reader(folder.path() / "out.hdf5").numbers("fclib_global/vectors/f"),
             (VecX{{-1, 0.2, 0, -2, 0.5, 0.1}}));
 }
 
@@ -206,7 +206,7 @@ TEST(FclibIo, AnAsymmetricMassIsInvertedAsItStands) {
 
 TEST(FclibIo, PlaceholdersAreNoSolutions) {
   const ScratchFolder folder;
-  write(GlobalFile{}, folder.path() / "in.hdf5", [](Hdf5Writer& file) {
+  write(GlobalFile{}, folder.path() / "in.hdf5", [](hdf5::Hdf5Writer& file) {
     file.add_group("solution");
     file.add("solution/r", std::vector<double>(6, 0.0));
     file.add_group("guesses");
@@ -261,13 +261,13 @@ TEST(FclibIo, EveryFaultHasAMessage) {
 TEST(FclibIo, WhatIsNotSupportedIsNamed) {
   const ScratchFolder folder;
   const auto path = folder.path() / "bad.hdf5";
-  write(GlobalFile{}, path, [](Hdf5Writer& file) {
+  write(GlobalFile{}, path, [](hdf5::Hdf5Writer& file) {
     add_stored(file, "fclib_global/G", {6, 1, 1, -1, {0, 1}, {0}, {1}});
   });
   expect_refused(path, "/fclib_global/G: bilateral constraints are not supported");
-  write(GlobalFile{}, path, [](Hdf5Writer& file) { file.add("fclib_global/vectors/b", std::vector<double>{1}); });
+  write(GlobalFile{}, path, [](hdf5::Hdf5Writer& file) { file.add("fclib_global/vectors/b", std::vector<double>{1}); });
   expect_refused(path, "/fclib_global/vectors/b: bilateral");
-  write(GlobalFile{}, path, [](Hdf5Writer& file) { file.add_group("fclib_local"); });
+  write(GlobalFile{}, path, [](hdf5::Hdf5Writer& file) { file.add_group("fclib_local"); });
   expect_refused(path, "holds one problem");
   Stored skew = triplets();
   skew.x[7] = 0.6;
@@ -324,4 +324,4 @@ TEST(FclibIo, DamagedBytesAreRefusedOrHarmless) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::contact

@@ -52,9 +52,9 @@ inline std::vector<std::filesystem::path> collected_problem(const std::string& n
 }
 
 /// The local form of a file's problem.
-inline LocalProblem local_form(const FclibProblem& file) {
-  const auto* const local = std::get_if<LocalProblem>(&file.problem);
-  return local != nullptr ? *local : reduce(std::get<ContactProblem>(file.problem));
+inline contact::LocalProblem local_form(const contact::FclibProblem& file) {
+  const auto* const local = std::get_if<contact::LocalProblem>(&file.problem);
+  return local != nullptr ? *local : contact::reduce(std::get<contact::ContactProblem>(file.problem));
 }
 
 }  // namespace nilas::test

@@ -7,7 +7,7 @@
 
 #include "contact/measure/measure.h"
 
-namespace nilas {
+namespace nilas::contact {
 namespace {
 
 TEST(OwnProblems, AreFiveSmallFiles) {
@@ -34,4 +34,4 @@ TEST(OwnProblems, LevelIceHasContactsWithALimitOfForce) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::contact

@@ -6,7 +6,7 @@
 
 #include "tests/support/random_vectors.h"
 
-namespace nilas {
+namespace nilas::contact {
 namespace {
 
 constexpr double k_endless = std::numeric_limits<double>::infinity();
@@ -133,4 +133,4 @@ TEST(Cone, WithoutFrictionNothingBelowTheTipIsInside) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::contact

@@ -6,7 +6,7 @@
 
 #include "core/base/error.h"
 
-namespace nilas {
+namespace nilas::contact {
 namespace {
 
 TEST(Friction, ExactPairWinsOverOneWildcardOverTwo) {
@@ -76,4 +76,4 @@ TEST(Friction, RefusesWrongValues) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::contact

@@ -8,7 +8,7 @@
 
 #include "tests/support/random_vectors.h"
 
-namespace nilas {
+namespace nilas::contact {
 namespace {
 
 constexpr double k_none = std::numeric_limits<double>::infinity();
@@ -192,4 +192,4 @@ TEST(LocalSolve, BoxFrictionReachesItsCorner) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::contact

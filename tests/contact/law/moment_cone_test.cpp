@@ -11,7 +11,7 @@
 #include "tests/support/problem_factory.h"
 #include "tests/support/scratch_folder.h"
 
-namespace nilas {
+namespace nilas::contact {
 namespace {
 
 using Vec6d = Eigen::Matrix<double, 6, 1>;
@@ -212,4 +212,4 @@ TEST(RollingFriction, SolversWithoutItSaySo) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::contact

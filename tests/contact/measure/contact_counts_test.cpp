@@ -9,6 +9,7 @@
 namespace {
 
 using namespace nilas;
+using namespace nilas::contact;
 
 ContactCounts counts_of(const ContactProblem& problem) {
   const auto solution = find_solver("newton").make({.tolerance = 1e-10})->solve(problem, {});

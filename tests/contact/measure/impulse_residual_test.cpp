@@ -7,7 +7,7 @@
 
 #include "contact/measure/measure.h"
 
-namespace nilas {
+namespace nilas::contact {
 namespace {
 
 constexpr double k_mass = 2, k_mu = 0.3, k_weight = 0.2, k_slide = 1;  // kg, -, N s, N s
@@ -75,4 +75,4 @@ TEST(ImpulseResidual, TheHoverOfAConvexifiedLawIsNoLoad) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::contact

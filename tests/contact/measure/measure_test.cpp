@@ -7,7 +7,7 @@
 #include "tests/support/cone_problems.h"
 #include "tests/support/problem_factory.h"
 
-namespace nilas {
+namespace nilas::contact {
 namespace {
 
 /// A particle of 2 kg on a fixed plane whose normal is its first axis: W = 1/2, d = 1/2, u = v.
@@ -192,4 +192,4 @@ TEST(Measure, ColumnsInOrder) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::contact

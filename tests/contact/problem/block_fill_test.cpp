@@ -7,7 +7,7 @@
 
 #include "core/base/random.h"
 
-namespace nilas {
+namespace nilas::contact {
 namespace {
 
 using Pattern = std::vector<std::set<int>>;
@@ -75,4 +75,4 @@ TEST(BlockFill, IsWhatEliminationFills) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::contact

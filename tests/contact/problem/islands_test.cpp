@@ -6,7 +6,7 @@
 
 #include "tests/support/problem_factory.h"
 
-namespace nilas {
+namespace nilas::contact {
 namespace {
 
 ContactProblem graph(int blocks, const std::vector<ContactProblem::Pair>& pairs) {
@@ -91,4 +91,4 @@ TEST(Coefficients, AreThoseOfTheReducedProblem) {
 TEST(Islands, NoContactsNoIslands) { EXPECT_TRUE(find_islands(graph(3, {})).empty()); }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::contact

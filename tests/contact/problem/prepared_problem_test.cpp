@@ -7,7 +7,7 @@
 #include "core/base/error.h"
 #include "tests/support/problem_factory.h"
 
-namespace nilas {
+namespace nilas::contact {
 namespace {
 
 TEST(PreparedProblem, HoldsWhatFollowsFromTheProblem) {
@@ -37,4 +37,4 @@ TEST(PreparedProblem, RefusesListsOfDifferentLengths) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::contact

@@ -9,7 +9,7 @@
 #include "tests/support/problem_factory.h"
 #include "tests/support/refusal.h"
 
-namespace nilas {
+namespace nilas::contact {
 namespace {
 
 using test::add_body;
@@ -164,4 +164,4 @@ TEST(Problem, RandomHeapsAreValid) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::contact

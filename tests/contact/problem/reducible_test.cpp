@@ -8,7 +8,7 @@
 #include "contact/registry.h"
 #include "tests/support/problem_factory.h"
 
-namespace nilas {
+namespace nilas::contact {
 namespace {
 
 /// `count` particles of 1 kg that fall on one body of 300 kg. All contacts share the body.
@@ -83,4 +83,4 @@ TEST(Reducible, AutoSolvesWhatIsNotAndNewtonSaysSo) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::contact

@@ -13,7 +13,7 @@
 #include "tests/support/problem_changes.h"
 #include "tests/support/test_name.h"
 
-namespace nilas {
+namespace nilas::solvers {
 namespace {
 
 constexpr double k_gravity = 9.81;
@@ -25,22 +25,24 @@ constexpr double k_same = 1e-10;
 
 class Artefacts : public testing::TestWithParam<std::string> {
  protected:
-  ContactSolution solve(const ContactProblem& problem) const {
-    const auto solver = find_solver(GetParam()).make({.tolerance = k_tolerance, .max_iterations = 1000000});
-    ContactSolution solution = solver->solve(problem, {});
-    EXPECT_EQ(solution.status, SolveStatus::converged) << solution.message;
+  contact::ContactSolution solve(const contact::ContactProblem& problem) const {
+    const auto solver = contact::find_solver(GetParam()).make({.tolerance = k_tolerance, .max_iterations = 1000000});
+    contact::ContactSolution solution = solver->solve(problem, {});
+    EXPECT_EQ(solution.status, contact::SolveStatus::converged) << solution.message;
     return solution;
   }
 
   /// Brute force takes only problems of few contacts.
-  bool takes(const ContactProblem& problem) const { return GetParam() != "enumerate" || problem.num_contacts() <= 8; }
+  bool takes(const contact::ContactProblem& problem) const {
+    return GetParam() != "enumerate" || problem.num_contacts() <= 8;
+  }
 
   /// A particle slides on a level floor until it rests, with semi-implicit Euler. Returns its final position.
   Vec2 slide_to_rest(Law law, int facets, const Vec2& start, double mu) const {
     Vec3 v(0, start.x(), start.y());
     Vec2 x = Vec2::Zero();
     while (v.norm() > k_same) {
-      ContactProblem problem = test::particle(law, 7, mu, v - Vec3(k_step * k_gravity, 0, 0));
+      contact::ContactProblem problem = test::particle(law, 7, mu, v - Vec3(k_step * k_gravity, 0, 0));
       problem.facets = facets;
       const Vec3 next = solve(problem).v;
       if (next.norm() >= v.norm()) {
@@ -59,7 +61,7 @@ class PolygonArtefacts : public Artefacts {};
 
 std::vector<std::string> solvers_of(Law law) {
   std::vector<std::string> names;
-  for (const auto& entry : solver_registry())
+  for (const auto& entry : contact::solver_registry())
     if (std::find(entry.laws.begin(), entry.laws.end(), law) != entry.laws.end()) names.push_back(entry.name);
   return names;
 }
@@ -113,7 +115,7 @@ TEST_P(PolygonArtefacts, FrictionReachesBothBoundsOfThePolygon) {
     for (int half = 0; half < 2 * k; ++half) {
       const double phi = k_pi * half / k, friction = half % 2 == 0 ? mu : mu * std::cos(k_pi / k);
       const Vec3 along(0, std::cos(phi), std::sin(phi));
-      ContactProblem problem = test::particle(Law::pyramid_k, 1, mu, speed * along - Vec3(down, 0, 0));
+      contact::ContactProblem problem = test::particle(Law::pyramid_k, 1, mu, speed * along - Vec3(down, 0, 0));
       problem.facets = k;
       EXPECT_LT((solve(problem).v - (speed - friction * down) * along).norm(), k_same) << k << " " << phi;
     }
@@ -174,7 +176,7 @@ class Rope {
     problem_.w[3 * (problem_.num_contacts() - 1)] = -speed;
   }
 
-  const ContactProblem& problem() const { return problem_; }
+  const contact::ContactProblem& problem() const { return problem_; }
   int num_nodes() const { return static_cast<int>(bends_.size()); }
 
   /// Speed of the links after a step from rest under this pull, when all nodes slip. At each, with s its speed, m s / h
@@ -203,7 +205,7 @@ class Rope {
   }
 
   std::vector<Bend> bends_;
-  ContactProblem problem_;
+  contact::ContactProblem problem_;
   Vec3 end_;
 };
 
@@ -226,7 +228,7 @@ TEST_P(CoulombArtefacts, RopeHauledAroundADrumGainsTheCapstansTension) {
     Rope rope(bends, speed);
     rope.haul(speed);
     if (!takes(rope.problem())) continue;
-    const ContactSolution s = solve(rope.problem());
+    const contact::ContactSolution s = solve(rope.problem());
     double tension = Rope::k_tension;
     for (int k = 0; k < rope.num_nodes(); ++k) {
       tension *= bends[k].ratio();
@@ -246,7 +248,7 @@ TEST_P(CoulombArtefacts, RopeHoldsBelowTheCapstansTensionAndSlipsAbove) {
       rope.pull(tension);
       // Many impulses hold a rope. Brute force tries only the least, which may leave the cone.
       if (!takes(rope.problem()) || (margin < 0 && GetParam() == "enumerate")) continue;
-      const ContactSolution s = solve(rope.problem());
+      const contact::ContactSolution s = solve(rope.problem());
       const double speed = margin < 0 ? 0 : rope.slip_speed(tension);
       ASSERT_TRUE(margin < 0 || speed > 1e4 * k_same);
       for (int k = 0; k < rope.num_nodes(); ++k)
@@ -279,8 +281,8 @@ constexpr double k_ample = 0.6;                           ///< Friction that hol
 constexpr double k_share = 1e-4;  ///< Relative distance from the critical friction, on either side of it.
 
 /// One step from rest. Contacts: supports with the floor, with the top, with each other.
-ContactProblem build(const Pile& pile, double mu_between, double mu_on_floor) {
-  ContactProblem problem;
+contact::ContactProblem build(const Pile& pile, double mu_between, double mu_on_floor) {
+  contact::ContactProblem problem;
   problem.h = k_step;
   std::vector<test::TestBody> bodies;
   const auto add = [&](const Vec3& p) {
@@ -345,9 +347,9 @@ TEST_P(CoulombArtefacts, PileStandsJustAboveItsCriticalFriction) {
     const double between = (1 + k_share) * pile.critical_between(), floor = (1 + k_share) * pile.critical_on_floor();
     for (const auto& [mu_between, mu_on_floor] :
          {std::pair(between, k_ample), std::pair(k_ample, floor), std::pair(between, floor)}) {
-      const ContactProblem problem = build(pile, mu_between, mu_on_floor);
+      const contact::ContactProblem problem = build(pile, mu_between, mu_on_floor);
       if (!takes(problem)) continue;
-      const ContactSolution s = solve(problem);
+      const contact::ContactSolution s = solve(problem);
       EXPECT_LT(s.v.cwiseAbs().maxCoeff(), k_same) << mu_between << " " << mu_on_floor;
       // The balance of moments determines the friction on the floor. The supports may press on each other with the
       // friction that is left.
@@ -364,7 +366,7 @@ TEST_P(CoulombArtefacts, PileStandsJustAboveItsCriticalFriction) {
 TEST_P(CoulombArtefacts, PileRollsApartJustBelowItsCriticalFriction) {
   for (const Pile& pile : k_piles) {
     const double mu = (1 - k_share) * pile.critical_between();
-    const ContactProblem problem = build(pile, mu, k_ample);
+    const contact::ContactProblem problem = build(pile, mu, k_ample);
     if (takes(problem)) expect_collapse(pile, solve(problem).v, rolling_out(pile, mu));
   }
 }
@@ -372,7 +374,7 @@ TEST_P(CoulombArtefacts, PileRollsApartJustBelowItsCriticalFriction) {
 TEST_P(CoulombArtefacts, PileSkidsApartJustBelowTheFloorsCriticalFriction) {
   for (const Pile& pile : k_piles) {
     const double mu = (1 - k_share) * pile.critical_on_floor();
-    const ContactProblem problem = build(pile, k_ample, mu);
+    const contact::ContactProblem problem = build(pile, k_ample, mu);
     if (takes(problem)) expect_collapse(pile, solve(problem).v, skidding_out(pile, mu));
   }
 }
@@ -381,7 +383,7 @@ TEST_P(CoulombArtefacts, CopiesOfAContactShareItsImpulse) {
   // a particle lands on another and slides over it; friction on the floor holds the lower one
   const double lower = 3, upper = 2, mu = 0.4, fall = 1;
   const Vec3 slip = 5 * Vec3(0, std::cos(0.7), std::sin(0.7));
-  ContactProblem once = test::particle(Law::coulomb, lower, mu, Vec3(-fall, 0, 0));
+  contact::ContactProblem once = test::particle(Law::coulomb, lower, mu, Vec3(-fall, 0, 0));
   once.add_block(upper * Mat3::Identity());
   once.f.tail<3>() = upper * (slip - Vec3(fall, 0, 0));
   once.add_contact(0, -Mat3::Identity(), 1, Mat3::Identity(), 2);
@@ -392,10 +394,10 @@ TEST_P(CoulombArtefacts, CopiesOfAContactShareItsImpulse) {
   r << (lower + upper) * Vec3(fall, 0, 0) + friction, upper * Vec3(fall, 0, 0) + friction;
   v << Vec3::Zero(), slip + friction / upper;
   for (const int copies : {1, 2, 4}) {
-    ContactProblem problem = once;
+    contact::ContactProblem problem = once;
     for (int k = 1; k < copies; ++k)
       for (int c = 0; c < 2; ++c) test::copy_contact(once, c, problem.pairs.size() + 1, false, problem);
-    const ContactSolution s = solve(problem);
+    const contact::ContactSolution s = solve(problem);
     VecX sum = VecX::Zero(6);
     for (int k = 0; k < copies; ++k) sum += s.r.segment<6>(6 * k);
     EXPECT_LT((s.v - v).norm(), k_same) << copies;
@@ -409,4 +411,4 @@ INSTANTIATE_TEST_SUITE_P(All, BoxArtefacts, testing::ValuesIn(solvers_of(Law::py
 INSTANTIATE_TEST_SUITE_P(All, PolygonArtefacts, testing::ValuesIn(solvers_of(Law::pyramid_k)), name_of);
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::solvers

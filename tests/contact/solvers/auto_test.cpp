@@ -14,27 +14,27 @@
 #include "tests/support/cone_problems.h"
 #include "tests/support/problem_factory.h"
 
-namespace nilas {
+namespace nilas::solvers {
 namespace {
 
 template <class Problem>
-ContactSolution solve(const Problem& problem, const VecX& guess = {}, double tolerance = 1e-10) {
+contact::ContactSolution solve(const Problem& problem, const VecX& guess = {}, double tolerance = 1e-10) {
   return AutoSolver({.shared = {.tolerance = tolerance}}).solve(problem, guess);
 }
 
 TEST(Auto, EveryLawOnRandomHeaps) {
   for (const Law law : {Law::coulomb, Law::ccp, Law::pyramid, Law::pyramid_k, Law::frictionless})
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
-      ContactProblem problem = test::random_heap(seed, 8, 16, 0.3);
+      contact::ContactProblem problem = test::random_heap(seed, 8, 16, 0.3);
       problem.law = law;
-      const ContactSolution solution = solve(problem);
-      EXPECT_EQ(solution.status, SolveStatus::converged) << static_cast<int>(law) << " " << seed;
-      EXPECT_LE(measure(problem, solution.r).law_map_m_s, 1e-10 * (1 + 1e-9));
+      const contact::ContactSolution solution = solve(problem);
+      EXPECT_EQ(solution.status, contact::SolveStatus::converged) << static_cast<int>(law) << " " << seed;
+      EXPECT_LE(contact::measure(problem, solution.r).law_map_m_s, 1e-10 * (1 + 1e-9));
     }
 }
 
 TEST(Auto, SaysWhatItUsed) {
-  const ContactSolution solution = solve(test::raft(6, 0.3, 1, 1));
+  const contact::ContactSolution solution = solve(test::raft(6, 0.3, 1, 1));
   EXPECT_NE(solution.message.find("nsgs 20 sweeps"), std::string::npos) << solution.message;
   EXPECT_NE(solution.message.find("newton"), std::string::npos) << solution.message;
   EXPECT_EQ(solve(test::raft(6, 0.3, 1, 1), solution.r).message, "guess");
@@ -43,91 +43,91 @@ TEST(Auto, SaysWhatItUsed) {
 /// Sweeps hardly move tall stacks, where all contacts stick; most of a raft slips. A guess of zeros carries no
 /// information.
 TEST(Auto, TakesAdmmForStiffStacksFromCold) {
-  const ContactProblem stack = test::box_stack(std::vector<double>(12, 5.0), 0.4);
-  const ContactSolution cold = solve(stack);
-  EXPECT_EQ(cold.status, SolveStatus::converged);
+  const contact::ContactProblem stack = test::box_stack(std::vector<double>(12, 5.0), 0.4);
+  const contact::ContactSolution cold = solve(stack);
+  EXPECT_EQ(cold.status, contact::SolveStatus::converged);
   EXPECT_NE(cold.message.find("admm"), std::string::npos) << cold.message;
   EXPECT_EQ(cold.message.find("newton"), std::string::npos) << cold.message;
   EXPECT_EQ(solve(stack, VecX::Zero(cold.r.size())).message, cold.message);
-  const ContactSolution raft = solve(test::raft(6, 0.3, 1, 1));
+  const contact::ContactSolution raft = solve(test::raft(6, 0.3, 1, 1));
   EXPECT_EQ(raft.message.find("admm"), std::string::npos) << raft.message;
 }
 
 TEST(Auto, StartsFromItsOwnSolutionWithoutAnIteration) {
-  const ContactProblem problem = test::raft(6, 0.3, 0.8, 1);
-  const ContactSolution first = solve(problem), again = solve(problem, first.r);
-  ASSERT_EQ(first.status, SolveStatus::converged);
-  EXPECT_EQ(again.status, SolveStatus::converged);
+  const contact::ContactProblem problem = test::raft(6, 0.3, 0.8, 1);
+  const contact::ContactSolution first = solve(problem), again = solve(problem, first.r);
+  ASSERT_EQ(first.status, contact::SolveStatus::converged);
+  EXPECT_EQ(again.status, contact::SolveStatus::converged);
   EXPECT_EQ(again.iterations, 0);
   EXPECT_EQ(again.r, first.r);
   EXPECT_LT((again.v - first.v).cwiseAbs().maxCoeff(), 1e-12);
 }
 
 TEST(Auto, WarmStartSavesIterations) {
-  ContactProblem problem = test::raft(10, 0.3, 0.9, 3);
+  contact::ContactProblem problem = test::raft(10, 0.3, 0.9, 3);
   const VecX r = solve(problem, {}, 1e-8).r;
   problem.f *= 1.001;
   EXPECT_LT(solve(problem, r, 1e-8).iterations, solve(problem, {}, 1e-8).iterations);
 }
 
 TEST(Auto, SameBitsTwice) {
-  const ContactProblem problem = test::raft(8, 0.3, 0.9, 2);
+  const contact::ContactProblem problem = test::raft(8, 0.3, 0.9, 2);
   EXPECT_EQ(solve(problem).r, solve(problem).r);
 }
 
 TEST(Auto, StopsAtItsLimits) {
-  const ContactSolution solution =
+  const contact::ContactSolution solution =
       AutoSolver({.shared = {.tolerance = 1e-12, .max_iterations = 22}}).solve(test::raft(8, 0.3, 1, 2), {});
-  EXPECT_EQ(solution.status, SolveStatus::iteration_limit);
+  EXPECT_EQ(solution.status, contact::SolveStatus::iteration_limit);
   EXPECT_LE(solution.iterations, 22);
 }
 
 TEST(Auto, NamesWhatIsNotFinite) {
-  ContactProblem problem = test::random_heap(1, 4, 6, 0.3);
+  contact::ContactProblem problem = test::random_heap(1, 4, 6, 0.3);
   problem.f[0] = std::numeric_limits<double>::quiet_NaN();
-  const ContactSolution solution = solve(problem);
-  EXPECT_EQ(solution.status, SolveStatus::numerical_error);
+  const contact::ContactSolution solution = solve(problem);
+  EXPECT_EQ(solution.status, contact::SolveStatus::numerical_error);
   EXPECT_NE(solution.message.find("finite"), std::string::npos) << solution.message;
 }
 
 /// Sweeps diverge from a solution that Newton's method finds: each multiplies the distance by ten, and at sweep 303 the
 /// velocities overflow.
 TEST(Auto, GoesOnWhereSweepsLeaveAllNumbers) {
-  const LocalProblem problem = test::runaway_pair(std::sqrt(10.0), 1e8);
+  const contact::LocalProblem problem = test::runaway_pair(std::sqrt(10.0), 1e8);
   const VecX guess = VecX::Constant(6, 5);
-  const ContactSolution swept = NsgsSolver({.shared = {.tolerance = 1e-6}}).solve(problem, guess);
-  EXPECT_EQ(swept.status, SolveStatus::numerical_error);
+  const contact::ContactSolution swept = NsgsSolver({.shared = {.tolerance = 1e-6}}).solve(problem, guess);
+  EXPECT_EQ(swept.status, contact::SolveStatus::numerical_error);
   EXPECT_TRUE(swept.r.allFinite());
   EXPECT_FALSE(swept.message.empty());
   const AutoSettings settings{.shared = {.tolerance = 1e-6, .max_iterations = 5000}, .first_sweeps = 1000};
-  const ContactSolution solution = AutoSolver(settings).solve(problem, guess);
-  EXPECT_EQ(solution.status, SolveStatus::converged) << solution.message;
+  const contact::ContactSolution solution = AutoSolver(settings).solve(problem, guess);
+  EXPECT_EQ(solution.status, contact::SolveStatus::converged) << solution.message;
   EXPECT_NE(solution.message.find("newton"), std::string::npos) << solution.message;
 }
 
 TEST(Auto, EndsAtAContactThatNothingCanMove) {
-  ContactProblem problem;
+  contact::ContactProblem problem;
   problem.add_contact(-1, MatX(3, 0), -1, MatX(3, 0), 77);
   problem.w[0] = -1;
-  const ContactSolution solution = solve(problem);
-  EXPECT_EQ(solution.status, SolveStatus::numerical_error);
+  const contact::ContactSolution solution = solve(problem);
+  EXPECT_EQ(solution.status, contact::SolveStatus::numerical_error);
   EXPECT_NE(solution.message.find("77"), std::string::npos) << solution.message;
   EXPECT_EQ(solution.message.find("more nsgs"), std::string::npos) << solution.message;
 }
 
 TEST(Auto, NoContacts) {
-  EXPECT_EQ(solve(ContactProblem{}).status, SolveStatus::converged);
-  EXPECT_EQ(solve(LocalProblem{}).status, SolveStatus::converged);
+  EXPECT_EQ(solve(contact::ContactProblem{}).status, contact::SolveStatus::converged);
+  EXPECT_EQ(solve(contact::LocalProblem{}).status, contact::SolveStatus::converged);
 }
 
 /// The same problem with contacts in another order.
-LocalProblem shuffled(const LocalProblem& problem) {
+contact::LocalProblem shuffled(const contact::LocalProblem& problem) {
   const int nc = problem.num_contacts();
   std::vector<int> place(static_cast<std::size_t>(nc));
   std::iota(place.begin(), place.end(), 0);
   RandomStream random(11, "order");
   for (std::size_t k = place.size(); k > 1; --k) std::swap(place[k - 1], place[random.bits() % k]);
-  LocalProblem out = problem;
+  contact::LocalProblem out = problem;
   std::vector<std::vector<std::pair<int, Mat3>>> rows(place.size());
   for (std::size_t a = 0; a < place.size(); ++a) {
     const auto to = static_cast<std::size_t>(place[a]);
@@ -135,7 +135,7 @@ LocalProblem shuffled(const LocalProblem& problem) {
       const auto i = static_cast<std::size_t>(k);
       rows[to].emplace_back(place[problem.column[i]], problem.block[i]);
     }
-    out.q.segment<3>(3 * place[a]) = problem.q.segment<3>(row_of(a));
+    out.q.segment<3>(3 * place[a]) = problem.q.segment<3>(contact::row_of(a));
     out.mu[to] = problem.mu[a];
     out.mu_static[to] = problem.mu_static[a];
     out.key[to] = problem.key[a];
@@ -155,8 +155,8 @@ LocalProblem shuffled(const LocalProblem& problem) {
 }
 
 /// The same problem with tangents turned by an angle of each contact's own, and all masses multiplied by `factor`.
-LocalProblem turned_and_scaled(const LocalProblem& problem, double factor) {
-  LocalProblem out = problem;
+contact::LocalProblem turned_and_scaled(const contact::LocalProblem& problem, double factor) {
+  contact::LocalProblem out = problem;
   const auto turn = [](int c) {
     Mat3 R = Mat3::Identity();
     R.bottomRightCorner<2, 2>() = Eigen::Rotation2Dd(1.7 * c).toRotationMatrix();
@@ -173,21 +173,21 @@ LocalProblem turned_and_scaled(const LocalProblem& problem, double factor) {
 }
 
 /// Recorded problems in local form, without the two hardest of the collection.
-std::vector<std::pair<std::string, LocalProblem>> recorded() {
-  std::vector<std::pair<std::string, LocalProblem>> problems;
+std::vector<std::pair<std::string, contact::LocalProblem>> recorded() {
+  std::vector<std::pair<std::string, contact::LocalProblem>> problems;
   for (const auto& path : test::recorded_problems()) {
     const std::string name = path.stem().string();
     if (name == "RockPile_tob1" || name == "spherepile-10x5") continue;
-    problems.emplace_back(name, test::local_form(read_fclib(path)));
+    problems.emplace_back(name, test::local_form(contact::read_fclib(path)));
   }
   return problems;
 }
 
 TEST(Files, AreSolvedAsTheyAre) {
   for (const auto& [name, problem] : recorded()) {
-    const ContactSolution solution = solve(problem);
-    EXPECT_EQ(solution.status, SolveStatus::converged) << name << ": " << solution.message;
-    EXPECT_LE(measure(problem, solution.r).natural_map_m_s, 1e-10) << name;
+    const contact::ContactSolution solution = solve(problem);
+    EXPECT_EQ(solution.status, contact::SolveStatus::converged) << name << ": " << solution.message;
+    EXPECT_LE(contact::measure(problem, solution.r).natural_map_m_s, 1e-10) << name;
   }
 }
 
@@ -197,21 +197,22 @@ TEST(Files, TheHardestAreSolvedWithinAMinute) {
   std::vector<std::filesystem::path> hardest = test::collected_problem("RockPile_tob1");
   hardest.push_back(test::own_problem("stack-10-1e6"));
   for (const auto& path : hardest) {
-    const LocalProblem problem = test::local_form(read_fclib(path));
-    const ContactSolution solution =
+    const contact::LocalProblem problem = test::local_form(contact::read_fclib(path));
+    const contact::ContactSolution solution =
         AutoSolver({.shared = {.tolerance = 1e-10, .max_iterations = 100000, .max_seconds = 60}}).solve(problem, {});
-    EXPECT_EQ(solution.status, SolveStatus::converged) << path << ": " << solution.message;
-    EXPECT_LE(measure(problem, solution.r).natural_map_m_s, 1e-10) << path;
+    EXPECT_EQ(solution.status, contact::SolveStatus::converged) << path << ": " << solution.message;
+    EXPECT_LE(contact::measure(problem, solution.r).natural_map_m_s, 1e-10) << path;
   }
 }
 
 TEST(Files, AreSolvedShuffledTurnedAndScaled) {
   for (const auto& [name, problem] : recorded()) {
-    EXPECT_EQ(solve(shuffled(problem)).status, SolveStatus::converged) << name;
+    EXPECT_EQ(solve(shuffled(problem)).status, contact::SolveStatus::converged) << name;
     for (const double factor : {1e-4, 30.0})
-      EXPECT_EQ(solve(turned_and_scaled(problem, factor)).status, SolveStatus::converged) << name << " " << factor;
+      EXPECT_EQ(solve(turned_and_scaled(problem, factor)).status, contact::SolveStatus::converged)
+          << name << " " << factor;
   }
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::solvers

@@ -14,17 +14,17 @@
 #include "tests/support/problem_factory.h"
 #include "tests/support/test_name.h"
 
-namespace nilas {
+namespace nilas::solvers {
 namespace {
 
 constexpr double k_nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double k_infinite = std::numeric_limits<double>::infinity();
 constexpr double k_tolerance = 1e-9;
-const SolverSettings k_settings{.tolerance = k_tolerance, .max_iterations = 2000};
+const contact::SolverSettings k_settings{.tolerance = k_tolerance, .max_iterations = 2000};
 
 /// The same pair twice: four contacts on the same two rows of W.
-LocalProblem all_twice() {
-  ContactProblem heap = test::random_heap(1, 3, 3, 0.3);
+contact::LocalProblem all_twice() {
+  contact::ContactProblem heap = test::random_heap(1, 3, 3, 0.3);
   const int nc = heap.num_contacts();
   for (int c = 0; c < nc; ++c) {
     const auto i = static_cast<std::size_t>(c);
@@ -34,23 +34,23 @@ LocalProblem all_twice() {
     heap.mu_static.back() = heap.mu_static[i];
     heap.w.segment<3>(3 * twin) = heap.w.segment<3>(3 * c);
   }
-  return reduce(heap);
+  return contact::reduce(heap);
 }
 
-LocalProblem with(LocalProblem problem, const std::function<void(LocalProblem&)>& change) {
+contact::LocalProblem with(contact::LocalProblem problem, const std::function<void(contact::LocalProblem&)>& change) {
   change(problem);
   return problem;
 }
 
 /// Boxes of very different masses with the heaviest on top.
-LocalProblem steep_stack() { return reduce(test::box_stack({1e-3, 1, 1e3}, 0.5)); }
+contact::LocalProblem steep_stack() { return contact::reduce(test::box_stack({1e-3, 1, 1e3}, 0.5)); }
 
 struct BadProblem {
   std::string name;
-  LocalProblem problem;
+  contact::LocalProblem problem;
   VecX guess;
-  SolveStatus expected;                         ///< Status of every other solver.
-  std::map<std::string, SolveStatus> except{};  ///< Status of the solvers that differ, by name.
+  contact::SolveStatus expected;                         ///< Status of every other solver.
+  std::map<std::string, contact::SolveStatus> except{};  ///< Status of the solvers that differ, by name.
 };
 
 std::vector<BadProblem> bad_problems() {
@@ -83,7 +83,7 @@ std::vector<BadProblem> bad_problems() {
         {"newton-order-free", iteration_limit},
         {"auto", iteration_limit}}},
       {"singular", all_twice(), {}, converged, {}},
-      {"nothing to solve", LocalProblem{}, {}, converged, {}},
+      {"nothing to solve", contact::LocalProblem{}, {}, converged, {}},
       {"velocity not a number", with(shared, [](auto& p) { p.q[4] = k_nan; }), {}, numerical_error, {}},
       {"infinite friction", with(shared, [](auto& p) { p.mu[1] = k_infinite; }), {}, numerical_error, {}},
       {"infinite inverse mass", with(shared, [](auto& p) { p.block[3](1, 1) = k_infinite; }), {}, numerical_error, {}},
@@ -116,11 +116,12 @@ std::vector<BadProblem> bad_problems() {
 }
 
 /// Solves with a solver by name, also with friction continuation and with a solver followed by a second one.
-ContactSolution solve(const std::string& name, const LocalProblem& problem, const VecX& guess) {
+contact::ContactSolution solve(const std::string& name, const contact::LocalProblem& problem, const VecX& guess) {
   if (name == "continuation") return continue_in_friction(problem, {.shared = k_settings}, Budget(k_settings));
   if (name == "with retry")
-    return WithRetry(find_solver("admm").make(k_settings), find_solver("nsgs").make(k_settings)).solve(problem, guess);
-  return find_solver(name).make(k_settings)->solve(problem, guess);
+    return WithRetry(contact::find_solver("admm").make(k_settings), contact::find_solver("nsgs").make(k_settings))
+        .solve(problem, guess);
+  return contact::find_solver(name).make(k_settings)->solve(problem, guess);
 }
 
 class BadProblems : public testing::TestWithParam<std::string> {};
@@ -128,20 +129,22 @@ class BadProblems : public testing::TestWithParam<std::string> {};
 TEST_P(BadProblems, AreCalledWhatTheyAre) {
   for (const BadProblem& bad : bad_problems()) {
     SCOPED_TRACE(bad.name);
-    const ContactSolution found = solve(GetParam(), bad.problem, bad.guess);
+    const contact::ContactSolution found = solve(GetParam(), bad.problem, bad.guess);
     const auto other = bad.except.find(GetParam());
-    EXPECT_STREQ(to_string(found.status), to_string(other == bad.except.end() ? bad.expected : other->second))
+    EXPECT_STREQ(contact::to_string(found.status),
+                 contact::to_string(other == bad.except.end() ? bad.expected : other->second))
         << found.iterations << " iterations, message '" << found.message << "'";
     EXPECT_EQ(found.r.size(), bad.problem.q.size());
     EXPECT_TRUE(found.r.allFinite()) << found.r.transpose();
-    EXPECT_TRUE(found.status != SolveStatus::numerical_error || !found.message.empty());
-    EXPECT_TRUE(found.status != SolveStatus::converged || measure(bad.problem, found.r).law_map_m_s <= k_tolerance);
+    EXPECT_TRUE(found.status != contact::SolveStatus::numerical_error || !found.message.empty());
+    EXPECT_TRUE(found.status != contact::SolveStatus::converged ||
+                contact::measure(bad.problem, found.r).law_map_m_s <= k_tolerance);
   }
 }
 
 std::vector<std::string> all_solvers() {
   std::vector<std::string> names{"continuation", "with retry"};
-  for (const auto& entry : solver_registry()) names.push_back(entry.name);
+  for (const auto& entry : contact::solver_registry()) names.push_back(entry.name);
   return names;
 }
 
@@ -149,4 +152,4 @@ INSTANTIATE_TEST_SUITE_P(All, BadProblems, testing::ValuesIn(all_solvers()),
                          [](const auto& each) { return test::test_name(each.param); });
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::solvers

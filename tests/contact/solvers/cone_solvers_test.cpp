@@ -10,7 +10,7 @@
 #include "core/base/error.h"
 #include "tests/support/cone_problems.h"
 
-namespace nilas {
+namespace nilas::solvers {
 namespace {
 
 constexpr double k_infinite = std::numeric_limits<double>::infinity();
@@ -24,14 +24,14 @@ std::ostream& operator<<(std::ostream& out, const Subject& subject) { return out
 class ConeSolver : public testing::TestWithParam<Subject> {
  protected:
   std::unique_ptr<ContactSolver> solver(double tolerance, int most = GetParam().most) const {
-    return find_solver(GetParam().solver).make({.tolerance = tolerance, .max_iterations = most});
+    return contact::find_solver(GetParam().solver).make({.tolerance = tolerance, .max_iterations = most});
   }
 
-  ContactSolution solve(const ContactProblem& problem, double tolerance = 1e-12) const {
+  contact::ContactSolution solve(const contact::ContactProblem& problem, double tolerance = 1e-12) const {
     return solver(tolerance)->solve(problem, {});
   }
 
-  void expect_velocity(const ContactProblem& problem, const Vec3& expected) const {
+  void expect_velocity(const contact::ContactProblem& problem, const Vec3& expected) const {
     test::expect_velocity(solve(problem), expected, 1e-11);
   }
 };
@@ -56,10 +56,10 @@ TEST_P(ConeSolver, OneContactOpensOrSticks) {
 
 TEST_P(ConeSolver, ForceLimitCrushesAndComplianceYields) {
   for (const Law law : {Law::coulomb, Law::ccp, Law::frictionless}) {
-    ContactProblem problem = test::particle(law, 2, 0.5, {-3, 0, 0});
+    contact::ContactProblem problem = test::particle(law, 2, 0.5, {-3, 0, 0});
     problem.force_limit[0] = 4;
-    const ContactSolution crushed = solve(problem);
-    EXPECT_EQ(crushed.status, SolveStatus::converged);
+    const contact::ContactSolution crushed = solve(problem);
+    EXPECT_EQ(crushed.status, contact::SolveStatus::converged);
     EXPECT_NEAR(crushed.r[0], 4, 1e-10);
     problem.force_limit[0] = 7;
     EXPECT_NEAR(solve(problem).r[0], 6, 1e-10);
@@ -71,107 +71,107 @@ TEST_P(ConeSolver, ForceLimitCrushesAndComplianceYields) {
 
 TEST_P(ConeSolver, LimitedImpulseBoundsFriction) {
   // At the limit the particle moves on into the plane, and slides with friction mu times the limit.
-  ContactProblem problem = test::particle(Law::coulomb, 2, 0.5, {-3, 5, 0});
+  contact::ContactProblem problem = test::particle(Law::coulomb, 2, 0.5, {-3, 5, 0});
   problem.force_limit[0] = 4;
   expect_velocity(problem, {-1, 4, 0});
 }
 
 TEST_P(ConeSolver, ImmovableSidesAreNamed) {
-  ContactProblem problem;
+  contact::ContactProblem problem;
   problem.add_contact(-1, MatX(3, 0), -1, MatX(3, 0), 77);
   problem.w[0] = -1;
-  const ContactSolution s = solve(problem);
-  EXPECT_EQ(s.status, SolveStatus::numerical_error);
+  const contact::ContactSolution s = solve(problem);
+  EXPECT_EQ(s.status, contact::SolveStatus::numerical_error);
   EXPECT_NE(s.message.find("77"), std::string::npos);
   problem.force_limit[0] = 5;
-  EXPECT_EQ(solve(problem).status, SolveStatus::converged);
+  EXPECT_EQ(solve(problem).status, contact::SolveStatus::converged);
   EXPECT_EQ(solve(problem).r[0], 5);
 }
 
 TEST_P(ConeSolver, StackOfAnyMassRatioStands) {
   for (const double ratio : {1.0, 1e3, 1e6}) {
-    const ContactProblem problem = test::box_stack(test::growing_masses(10, ratio), 0.5);
-    const ContactSolution s = solve(problem, 1e-9);
-    EXPECT_EQ(s.status, SolveStatus::converged) << ratio;
+    const contact::ContactProblem problem = test::box_stack(test::growing_masses(10, ratio), 0.5);
+    const contact::ContactSolution s = solve(problem, 1e-9);
+    EXPECT_EQ(s.status, contact::SolveStatus::converged) << ratio;
     EXPECT_LT(s.u.cwiseAbs().maxCoeff(), 1e-8) << ratio;
-    EXPECT_LE(measure(problem, s.r).natural_map_m_s, 1e-9) << ratio;
+    EXPECT_LE(contact::measure(problem, s.r).natural_map_m_s, 1e-9) << ratio;
   }
 }
 
 TEST_P(ConeSolver, RandomHeapsConverge) {
   for (const Law law : {Law::coulomb, Law::ccp, Law::frictionless})
     for (std::uint64_t seed = 0; seed < 10; ++seed) {
-      ContactProblem problem = test::random_heap(seed, 8, 12, 0.1 * static_cast<double>(seed % 5 + 1));
+      contact::ContactProblem problem = test::random_heap(seed, 8, 12, 0.1 * static_cast<double>(seed % 5 + 1));
       problem.law = law;
-      const ContactSolution s = solve(problem, 1e-9);
-      EXPECT_EQ(s.status, SolveStatus::converged) << to_string(law) << " seed " << seed;
-      EXPECT_LE(measure(problem, s.r).law_map_m_s, 1e-9);
+      const contact::ContactSolution s = solve(problem, 1e-9);
+      EXPECT_EQ(s.status, contact::SolveStatus::converged) << contact::to_string(law) << " seed " << seed;
+      EXPECT_LE(contact::measure(problem, s.r).law_map_m_s, 1e-9);
     }
 }
 
 TEST(Ipm, SolvesConvexLawsWithoutTheFinish) {
   for (const Law law : {Law::ccp, Law::frictionless}) {
-    ContactProblem problem = test::random_heap(3, 20, 40, 0.3);
+    contact::ContactProblem problem = test::random_heap(3, 20, 40, 0.3);
     problem.law = law;
     IpmSettings settings{.shared = {.tolerance = 1e-6, .max_iterations = 1000}};
     settings.finish_iterations = 0;
-    const ContactSolution s = IpmSolver(settings).solve(problem, {});
-    EXPECT_EQ(s.status, SolveStatus::converged) << to_string(law);
-    EXPECT_LE(measure(problem, s.r).law_map_m_s, 1e-6) << to_string(law);
+    const contact::ContactSolution s = IpmSolver(settings).solve(problem, {});
+    EXPECT_EQ(s.status, contact::SolveStatus::converged) << contact::to_string(law);
+    EXPECT_LE(contact::measure(problem, s.r).law_map_m_s, 1e-6) << contact::to_string(law);
   }
 }
 
 TEST_P(ConeSolver, RandomHeapsWithLimitsAndComplianceConverge) {
   for (std::uint64_t seed = 0; seed < 10; ++seed) {
-    ContactProblem problem = test::random_heap(seed, 8, 12, 0.3);
+    contact::ContactProblem problem = test::random_heap(seed, 8, 12, 0.3);
     problem.law = Law::ccp;
     for (std::size_t c = 0; c < 12; ++c) {
       if (c % 2 == 0) problem.force_limit[c] = 0.5;
       if (c % 3 == 0) problem.compliance[c] = 0.1;
       if (c % 5 == 0) problem.force_limit[c] = 0;
     }
-    const ContactSolution s = solve(problem, 1e-9);
-    EXPECT_EQ(s.status, SolveStatus::converged) << seed;
-    EXPECT_LE(measure(problem, s.r).law_map_m_s, 1e-9);
+    const contact::ContactSolution s = solve(problem, 1e-9);
+    EXPECT_EQ(s.status, contact::SolveStatus::converged) << seed;
+    EXPECT_LE(contact::measure(problem, s.r).law_map_m_s, 1e-9);
   }
 }
 
 TEST_P(ConeSolver, AsymmetricOperatorIsSolvedAsStored) {
-  LocalProblem problem = reduce(test::random_heap(1, 8, 6, 0.3));
+  contact::LocalProblem problem = contact::reduce(test::random_heap(1, 8, 6, 0.3));
   for (std::size_t k = 0; k < problem.block.size(); ++k)
     problem.block[k](0, 1) += 1e-3 * std::sin(static_cast<double>(k));
-  const ContactSolution s = solver(1e-10)->solve(problem, {});
-  EXPECT_EQ(s.status, SolveStatus::converged);
-  EXPECT_LE(measure(problem, s.r).law_map_m_s, 1e-10);
+  const contact::ContactSolution s = solver(1e-10)->solve(problem, {});
+  EXPECT_EQ(s.status, contact::SolveStatus::converged);
+  EXPECT_LE(contact::measure(problem, s.r).law_map_m_s, 1e-10);
 }
 
 TEST_P(ConeSolver, ConvergedIsWhatMeasureSays) {
   for (const double tolerance : {1e-2, 1e-5, 1e-8})
     for (const int most : {1, 5, 50, 500})
       for (std::uint64_t seed = 0; seed < 5; ++seed) {
-        const ContactProblem problem = test::random_heap(seed, 5, 12, 0.6);
-        const ContactSolution s = solver(tolerance, most)->solve(problem, {});
-        EXPECT_EQ(s.status == SolveStatus::converged, measure(problem, s.r).law_map_m_s <= tolerance);
+        const contact::ContactProblem problem = test::random_heap(seed, 5, 12, 0.6);
+        const contact::ContactSolution s = solver(tolerance, most)->solve(problem, {});
+        EXPECT_EQ(s.status == contact::SolveStatus::converged, contact::measure(problem, s.r).law_map_m_s <= tolerance);
         EXPECT_TRUE(s.r.allFinite());
       }
 }
 
 TEST_P(ConeSolver, GuessNearTheAnswerEndsAtOnce) {
-  const ContactProblem problem = test::random_heap(3, 8, 12, 0.3);
-  const ContactSolution cold = solve(problem, 1e-9);
-  const ContactSolution warm = solver(1e-9)->solve(problem, cold.r);
-  EXPECT_EQ(warm.status, SolveStatus::converged);
+  const contact::ContactProblem problem = test::random_heap(3, 8, 12, 0.3);
+  const contact::ContactSolution cold = solve(problem, 1e-9);
+  const contact::ContactSolution warm = solver(1e-9)->solve(problem, cold.r);
+  EXPECT_EQ(warm.status, contact::SolveStatus::converged);
   EXPECT_EQ(warm.iterations, 0);
   EXPECT_LT((warm.r - cold.r).norm(), 1e-14 * cold.r.norm());
 }
 
 TEST_P(ConeSolver, SameBitsEveryTime) {
-  const ContactProblem problem = test::random_heap(4, 8, 14, 0.4);
+  const contact::ContactProblem problem = test::random_heap(4, 8, 14, 0.4);
   EXPECT_EQ((solve(problem).r - solve(problem).r).norm(), 0);
 }
 
 TEST_P(ConeSolver, RefusesPyramids) {
-  ContactProblem problem = test::particle(Law::pyramid, 1, 0.5, {-1, 0, 0});
+  contact::ContactProblem problem = test::particle(Law::pyramid, 1, 0.5, {-1, 0, 0});
   EXPECT_THROW(solve(problem), InputError);
 }
 
@@ -179,11 +179,11 @@ INSTANTIATE_TEST_SUITE_P(All, ConeSolver, testing::Values(Subject{"admm", 20000}
                          [](const auto& each) { return each.param.solver; });
 
 TEST(Admm, AccelerationReachesTheSameVelocities) {
-  const ContactProblem problem = test::box_stack({1, 10, 100}, 0.5);
+  const contact::ContactProblem problem = test::box_stack({1, 10, 100}, 0.5);
   AdmmSettings plain{.shared = {.tolerance = 1e-10, .max_iterations = 20000}, .anderson_depth = 0};
   const AdmmSettings quick{.shared = plain.shared};
-  const ContactSolution slow = AdmmSolver(plain).solve(problem, {});
-  EXPECT_EQ(slow.status, SolveStatus::converged);
+  const contact::ContactSolution slow = AdmmSolver(plain).solve(problem, {});
+  EXPECT_EQ(slow.status, contact::SolveStatus::converged);
   EXPECT_LT((slow.u - AdmmSolver(quick).solve(problem, {}).u).norm(), 1e-8);
 }
 
@@ -192,7 +192,7 @@ TEST(Ipm, ScalingTakesBothPointsToOne) {
   for (int k = 0; k < 100; ++k) {
     const auto inside = [&] {
       const Vec3 t = test::random_vector(random);
-      return Vec3(tangential_norm(t) + std::exp(4 * random.normal()), t[1], t[2]);
+      return Vec3(contact::tangential_norm(t) + std::exp(4 * random.normal()), t[1], t[2]);
     };
     const Vec3 x = inside(), z = inside();
     const NesterovTodd nt = nesterov_todd(x, z);
@@ -210,4 +210,4 @@ TEST(Ipm, ScalingTakesBothPointsToOne) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::solvers

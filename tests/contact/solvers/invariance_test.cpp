@@ -14,7 +14,7 @@
 #include "tests/support/problem_factory.h"
 #include "tests/support/test_name.h"
 
-namespace nilas {
+namespace nilas::solvers {
 namespace {
 
 constexpr double k_tolerance = 1e-10;
@@ -28,23 +28,23 @@ struct Subject {
 };
 
 std::ostream& operator<<(std::ostream& out, const Subject& subject) {
-  return out << subject.solver << " " << to_string(subject.law);
+  return out << subject.solver << " " << contact::to_string(subject.law);
 }
 
 std::vector<Subject> subjects() {
   std::vector<Subject> all;
-  for (const auto& entry : solver_registry())
+  for (const auto& entry : contact::solver_registry())
     for (const Law law : entry.laws) all.push_back({entry.name, law});
   return all;
 }
 
 std::string name_of(const testing::TestParamInfo<Subject>& info) {
-  return test::test_name(info.param.solver + "_" + to_string(info.param.law));
+  return test::test_name(info.param.solver + "_" + contact::to_string(info.param.law));
 }
 
 /// Four bodies with five contacts, few enough for brute force.
-ContactProblem heap(int seed, Law law) {
-  ContactProblem problem = test::random_heap(100 + static_cast<std::uint64_t>(seed), 4, 5, 0.3);
+contact::ContactProblem heap(int seed, Law law) {
+  contact::ContactProblem problem = test::random_heap(100 + static_cast<std::uint64_t>(seed), 4, 5, 0.3);
   problem.law = law;
   problem.facets = 6;
   return problem;
@@ -52,18 +52,19 @@ ContactProblem heap(int seed, Law law) {
 
 class Invariance : public testing::TestWithParam<Subject> {
  protected:
-  ContactProblem heap_of(int seed) const { return heap(seed, GetParam().law); }
+  contact::ContactProblem heap_of(int seed) const { return heap(seed, GetParam().law); }
 
   template <class Problem>
-  ContactSolution solve(const Problem& problem) const {
-    const auto solver = find_solver(GetParam().solver).make({.tolerance = k_tolerance, .max_iterations = 100000});
-    ContactSolution solution = solver->solve(problem, {});
-    EXPECT_EQ(solution.status, SolveStatus::converged) << solution.message;
-    EXPECT_LE(measure(problem, solution.r).law_map_m_s, k_tolerance);
+  contact::ContactSolution solve(const Problem& problem) const {
+    const auto solver =
+        contact::find_solver(GetParam().solver).make({.tolerance = k_tolerance, .max_iterations = 100000});
+    contact::ContactSolution solution = solver->solve(problem, {});
+    EXPECT_EQ(solution.status, contact::SolveStatus::converged) << solution.message;
+    EXPECT_LE(contact::measure(problem, solution.r).law_map_m_s, k_tolerance);
     return solution;
   }
 
-  void expect_same_motion(const ContactProblem& one, const ContactProblem& two) const {
+  void expect_same_motion(const contact::ContactProblem& one, const contact::ContactProblem& two) const {
     EXPECT_LT((solve(one).v - solve(two).v).cwiseAbs().maxCoeff(), k_same);
   }
 
@@ -89,7 +90,8 @@ TEST_P(Invariance, TurnOfTheTangents) {
 TEST_P(Invariance, ScaleOfAllMasses) {
   for (int seed = 0; seed < k_seeds; ++seed)
     for (const double factor : {1e-3, 1e7}) {
-      const ContactSolution one = solve(heap_of(seed)), two = solve(test::with_mass_scale(heap_of(seed), factor));
+      const contact::ContactSolution one = solve(heap_of(seed)),
+                                     two = solve(test::with_mass_scale(heap_of(seed), factor));
       EXPECT_LT((one.v - two.v).cwiseAbs().maxCoeff(), k_same);
       EXPECT_LT((factor * one.r - two.r).norm(), 1e-6 * factor * (1 + one.r.norm()));
     }
@@ -103,46 +105,46 @@ TEST_P(Invariance, ScaleOfAllSpeeds) {
 
 TEST_P(Invariance, LocalAndGlobalForm) {
   for (int seed = 0; seed < k_seeds; ++seed) {
-    const ContactProblem problem = heap_of(seed);
-    const ContactSolution local = solve(reduce(problem));
-    EXPECT_LT((solve(problem).v - velocities(problem, local.r)).cwiseAbs().maxCoeff(), k_same);
+    const contact::ContactProblem problem = heap_of(seed);
+    const contact::ContactSolution local = solve(contact::reduce(problem));
+    EXPECT_LT((solve(problem).v - contact::velocities(problem, local.r)).cwiseAbs().maxCoeff(), k_same);
   }
 }
 
 TEST_P(Invariance, DuplicateContacts) {
   for (int seed = 0; seed < k_seeds; ++seed) {
-    const ContactProblem one = test::with_order(heap_of(seed), {0, 1, 2});
+    const contact::ContactProblem one = test::with_order(heap_of(seed), {0, 1, 2});
     expect_same_motion(one, test::with_duplicates(one));
   }
 }
 
 TEST_P(Invariance, SameArgumentsSameBits) {
-  const ContactProblem problem = heap_of(1);
+  const contact::ContactProblem problem = heap_of(1);
   EXPECT_EQ(solve(problem).r, solve(problem).r);
 }
 
 TEST_P(Invariance, ConvergedMeansWhatMeasureSays) {
   for (const double tolerance : {1e-2, 1e-5, 1e-8})
     for (int seed = 0; seed < k_seeds; ++seed) {
-      const ContactProblem problem = heap_of(seed);
-      const auto solver = find_solver(GetParam().solver).make({.tolerance = tolerance, .max_iterations = 30});
-      const ContactSolution solution = solver->solve(problem, {});
-      const double law_map = measure(problem, solution.r).law_map_m_s;
-      if (solution.status == SolveStatus::converged)
+      const contact::ContactProblem problem = heap_of(seed);
+      const auto solver = contact::find_solver(GetParam().solver).make({.tolerance = tolerance, .max_iterations = 30});
+      const contact::ContactSolution solution = solver->solve(problem, {});
+      const double law_map = contact::measure(problem, solution.r).law_map_m_s;
+      if (solution.status == contact::SolveStatus::converged)
         EXPECT_LE(law_map, tolerance);
       else
         EXPECT_GT(law_map, tolerance);
-      EXPECT_NE(solution.status, SolveStatus::numerical_error) << solution.message;
+      EXPECT_NE(solution.status, contact::SolveStatus::numerical_error) << solution.message;
     }
 }
 
 TEST_P(Invariance, LimitsAndComplianceAreKept) {
   for (int seed = 0; seed < k_seeds; ++seed) {
-    ContactProblem problem = test::with_order(heap_of(seed), {0, 1, 2, 3});
+    contact::ContactProblem problem = test::with_order(heap_of(seed), {0, 1, 2, 3});
     problem.force_limit = {0.2, 0, 1, std::numeric_limits<double>::infinity()};
     problem.compliance = {0, 0.1, 0.3, 0.2};
     problem.mu[2] = problem.mu_static[2] = 0;
-    const ContactSolution solution = solve(problem);
+    const contact::ContactSolution solution = solve(problem);
     for (int c = 0; c < 3; ++c) EXPECT_LE(solution.r[3 * c], problem.force_limit[c] + 1e-9);
     expect_same_motion(problem, test::with_mass_scale(problem, 1e4));
   }
@@ -154,7 +156,7 @@ TEST_P(Invariance, ObliqueImpactOfAParticle) {
     for (const double w : {3.0, 0.1})
       for (const double mu : {0.0, 0.5, 1.5}) {
         const double m = 7, left = std::max(0.0, w - mu * v);
-        ContactProblem problem;
+        contact::ContactProblem problem;
         problem.law = GetParam().law;
         problem.facets = 8;
         problem.add_block(m * Mat3::Identity());
@@ -172,14 +174,14 @@ TEST_P(Invariance, ObliqueImpactOfAParticle) {
 TEST_P(Invariance, FrictionOfAParticleInEveryDirection) {
   const double mu = 0.4, v = 1;
   for (const double phi : {0.0, 0.2, k_pi / 6, k_pi / 4, 1.0}) {
-    ContactProblem problem;
+    contact::ContactProblem problem;
     problem.law = GetParam().law;
     problem.facets = 6;
     problem.add_block(Mat3::Identity());
     problem.f << -v, 5 * std::cos(phi), 5 * std::sin(phi);
     problem.add_contact(-1, MatX(3, 0), 0, Mat3::Identity(), 1);
     problem.mu.back() = problem.mu_static.back() = mu;
-    const ContactSolution s = solve(problem);
+    const contact::ContactSolution s = solve(problem);
     const double ratio = s.r.tail<2>().norm() / s.r[0];
     double low = mu, high = mu;
     if (problem.law == Law::frictionless) low = high = 0;
@@ -192,15 +194,15 @@ TEST_P(Invariance, FrictionOfAParticleInEveryDirection) {
 
 TEST_P(Invariance, InputThatIsNotFiniteIsANumericalError) {
   const double nan = std::numeric_limits<double>::quiet_NaN(), infinite = std::numeric_limits<double>::infinity();
-  const auto solver = find_solver(GetParam().solver).make({.tolerance = k_tolerance, .max_iterations = 100});
+  const auto solver = contact::find_solver(GetParam().solver).make({.tolerance = k_tolerance, .max_iterations = 100});
   const auto expect_refused = [&](const auto& problem, const VecX& guess) {
-    const ContactSolution solution = solver->solve(problem, guess);
-    EXPECT_EQ(solution.status, SolveStatus::numerical_error);
+    const contact::ContactSolution solution = solver->solve(problem, guess);
+    EXPECT_EQ(solution.status, contact::SolveStatus::numerical_error);
     EXPECT_FALSE(solution.message.empty());
     EXPECT_EQ(solution.r, VecX::Zero(solution.r.size()));
   };
   for (const double bad : {nan, infinite}) {
-    std::vector<ContactProblem> spoilt(5, heap_of(0));
+    std::vector<contact::ContactProblem> spoilt(5, heap_of(0));
     spoilt[0].w[4] = bad;
     spoilt[1].f[2] = bad;
     spoilt[2].jacobian_data[7] = bad;
@@ -210,71 +212,73 @@ TEST_P(Invariance, InputThatIsNotFiniteIsANumericalError) {
       SCOPED_TRACE(k);
       expect_refused(spoilt[k], {});
     }
-    LocalProblem local = reduce(heap_of(0));
+    contact::LocalProblem local = contact::reduce(heap_of(0));
     local.q[1] = bad;
     expect_refused(local, {});
   }
-  ContactProblem indefinite = heap_of(0);
+  contact::ContactProblem indefinite = heap_of(0);
   indefinite.mass_data[0] = -1;
   expect_refused(indefinite, {});
-  LocalProblem negative = reduce(heap_of(0));
+  contact::LocalProblem negative = contact::reduce(heap_of(0));
   for (Mat3& block : negative.block) block = -block;
   expect_refused(negative, {});
 }
 
 TEST_P(Invariance, GuessesOfTheWrongSizeAreRefused) {
-  const auto solver = find_solver(GetParam().solver).make({});
+  const auto solver = contact::find_solver(GetParam().solver).make({});
   EXPECT_THROW(solver->solve(heap_of(0), VecX::Zero(4)), ContractError);
-  EXPECT_THROW(solver->solve(reduce(heap_of(0)), VecX::Zero(4)), ContractError);
+  EXPECT_THROW(solver->solve(contact::reduce(heap_of(0)), VecX::Zero(4)), ContractError);
 }
 
 TEST_P(Invariance, NoContactsAreNothingToDo) {
-  ContactProblem problem = test::without_contacts(heap_of(0));
-  const ContactSolution solution = solve(problem);
+  contact::ContactProblem problem = test::without_contacts(heap_of(0));
+  const contact::ContactSolution solution = solve(problem);
   EXPECT_EQ(solution.r.size(), 0);
-  EXPECT_LT((solution.v - velocities(problem, VecX())).cwiseAbs().maxCoeff(), 1e-15);
+  EXPECT_LT((solution.v - contact::velocities(problem, VecX())).cwiseAbs().maxCoeff(), 1e-15);
 }
 
 /// Neither side can move. The impulse is the force limit, and a contact without a limit is named. Other contacts are
 /// solved.
 TEST_P(Invariance, ImmovableContactsTakeTheirLimitOrAreNamed) {
-  ContactProblem problem = test::with_order(heap_of(0), {0, 1, 2});
+  contact::ContactProblem problem = test::with_order(heap_of(0), {0, 1, 2});
   problem.add_contact(-1, MatX(3, 0), -1, MatX(3, 0), 987);
   problem.w.tail<3>() << -0.3, 0, 0;
   problem.force_limit.back() = 8;
   EXPECT_NEAR(solve(problem).r[9], 8, 1e-12);
-  EXPECT_NEAR(solve(reduce(problem)).r[9], 8, 1e-12);
+  EXPECT_NEAR(solve(contact::reduce(problem)).r[9], 8, 1e-12);
   problem.force_limit.back() = std::numeric_limits<double>::infinity();
-  const auto solver = find_solver(GetParam().solver).make({.tolerance = k_tolerance, .max_iterations = 100000});
-  const ContactSolution global = solver->solve(problem, {}), local = solver->solve(reduce(problem), {});
-  for (const ContactSolution& solution : {global, local}) {
-    EXPECT_EQ(solution.status, SolveStatus::numerical_error);
+  const auto solver =
+      contact::find_solver(GetParam().solver).make({.tolerance = k_tolerance, .max_iterations = 100000});
+  const contact::ContactSolution global = solver->solve(problem, {}),
+                                 local = solver->solve(contact::reduce(problem), {});
+  for (const contact::ContactSolution& solution : {global, local}) {
+    EXPECT_EQ(solution.status, contact::SolveStatus::numerical_error);
     EXPECT_NE(solution.message.find("987"), std::string::npos) << solution.message;
     EXPECT_EQ(solution.r[9], 0);
-    EXPECT_LE(measure(test::with_order(problem, {0, 1, 2}), solution.r.head(9)).law_map_m_s, k_tolerance);
+    EXPECT_LE(contact::measure(test::with_order(problem, {0, 1, 2}), solution.r.head(9)).law_map_m_s, k_tolerance);
   }
 }
 
 /// The mass of a file may be slightly asymmetric, and is used as stored.
 TEST_P(Invariance, AsymmetricMassesAreSolvedAsStored) {
-  ContactProblem problem = heap_of(1);
+  contact::ContactProblem problem = heap_of(1);
   const double inertia = problem.mass_data[21];
   problem.mass_data[22] += 1e-3 * inertia;  // (4, 3) of block 0, not (3, 4)
-  const ContactSolution solution = solve(problem);
+  const contact::ContactSolution solution = solve(problem);
   EXPECT_GT((solution.v - solve(heap_of(1)).v).norm(), 1e-6);
 }
 
 TEST_P(Invariance, ToleranceZeroEnds) {
-  const auto solver = find_solver(GetParam().solver).make({.tolerance = 0, .max_iterations = 200});
-  const ContactSolution solution = solver->solve(heap_of(2), {});
-  EXPECT_NE(solution.status, SolveStatus::numerical_error) << solution.message;
+  const auto solver = contact::find_solver(GetParam().solver).make({.tolerance = 0, .max_iterations = 200});
+  const contact::ContactSolution solution = solver->solve(heap_of(2), {});
+  EXPECT_NE(solution.status, contact::SolveStatus::numerical_error) << solution.message;
   EXPECT_TRUE(solution.r.allFinite());
 }
 
 /// The budget holds for the whole solve, not for each island.
 TEST_P(Invariance, ManyIslandsShareTheWallTime) {
-  const ContactProblem one = heap_of(0);
-  ContactProblem many = test::without_contacts(one);
+  const contact::ContactProblem one = heap_of(0);
+  contact::ContactProblem many = test::without_contacts(one);
   for (int copy = 1; copy < 200; ++copy)
     for (int k = 0; k < one.num_blocks(); ++k) many.add_block(one.mass(k));
   for (int copy = 0; copy < 200; ++copy) {
@@ -288,8 +292,8 @@ TEST_P(Invariance, ManyIslandsShareTheWallTime) {
     }
   }
   constexpr double k_budget = 0.02, k_enough = 1;  // [s]; without a shared clock some would take 200 budgets
-  const auto solver =
-      find_solver(GetParam().solver).make({.tolerance = 1e-30, .max_iterations = 100000000, .max_seconds = k_budget});
+  const auto solver = contact::find_solver(GetParam().solver)
+                          .make({.tolerance = 1e-30, .max_iterations = 100000000, .max_seconds = k_budget});
   const auto start = std::chrono::steady_clock::now();
   solver->solve(many, {});
   const double took = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -299,4 +303,4 @@ TEST_P(Invariance, ManyIslandsShareTheWallTime) {
 INSTANTIATE_TEST_SUITE_P(AllSolvers, Invariance, testing::ValuesIn(subjects()), name_of);
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::solvers

@@ -12,10 +12,10 @@
 /// Laws: coulomb, ccp, frictionless. Nominal tolerance: 1e-6 m/s. Islands are solved apart.
 #include "contact/solvers/solver.h"
 
-namespace nilas {
+namespace nilas::solvers {
 
 struct JacobiSettings {
-  SolverSettings shared;
+  contact::SolverSettings shared;
   double omega = 0.2;           ///< length of a step, as a share of D^-1 [-]
   int stall_iterations = 1000;  ///< window of the stall rule (best_impulses.h); share 0.999
 };
@@ -28,11 +28,11 @@ class JacobiSolver final : public ContactSolver {
   /// converged: law_map_m_s is at most the tolerance as `measure` finds it; else the best impulses measured. With
   /// tolerance 0 nothing is measured. numerical_error: input that is not finite, or a contact that cannot yield.
   /// Throws InputError for the laws pyramid and pyramid-k, and for rolling or spinning friction.
-  ContactSolution solve(const PreparedProblem& problem, const VecX& guess) const override;
-  ContactSolution solve(const LocalProblem& problem, const VecX& guess) const override;
+  contact::ContactSolution solve(const contact::PreparedProblem& problem, const VecX& guess) const override;
+  contact::ContactSolution solve(const contact::LocalProblem& problem, const VecX& guess) const override;
 
  private:
   JacobiSettings settings_;
 };
 
-}  // namespace nilas
+}  // namespace nilas::solvers

@@ -10,22 +10,23 @@
 #include "tests/support/problem_changes.h"
 #include "tests/support/problem_factory.h"
 
-namespace nilas {
+namespace nilas::solvers {
 namespace {
 
 constexpr double k_gravity = 9.81;
 constexpr double k_step = 0.01;
 
-ContactSolution solve(const ContactProblem& problem, double tolerance = 1e-10, int most = 200000, int threads = 1) {
-  const SolverSettings shared{.tolerance = tolerance, .max_iterations = most, .threads = threads};
+contact::ContactSolution solve(const contact::ContactProblem& problem, double tolerance = 1e-10, int most = 200000,
+                               int threads = 1) {
+  const contact::SolverSettings shared{.tolerance = tolerance, .max_iterations = most, .threads = threads};
   return NsgsSolver({.shared = shared}).solve(problem, {});
 }
 
 /// Contraction of law_map per sweep, late in the history.
 template <class Problem>
 double rate_of(const Problem& problem, int sweeps) {
-  const SolverSettings shared{.tolerance = 0, .max_iterations = sweeps, .keep_history = true};
-  const ContactSolution s = NsgsSolver({.shared = shared}).solve(problem, {});
+  const contact::SolverSettings shared{.tolerance = 0, .max_iterations = sweeps, .keep_history = true};
+  const contact::ContactSolution s = NsgsSolver({.shared = shared}).solve(problem, {});
   EXPECT_EQ(s.history.size(), static_cast<std::size_t>(sweeps));
   return test::late_contraction(s.history);
 }
@@ -33,17 +34,18 @@ double rate_of(const Problem& problem, int sweeps) {
 TEST(Nsgs, EqualColumnContractsAsTheTextbookSays) {
   for (const Law law : {Law::coulomb, Law::ccp, Law::frictionless})
     for (const auto& [n, sweeps] : std::vector<std::pair<int, int>>{{5, 200}, {10, 600}, {20, 2400}}) {
-      ContactProblem problem = test::column(std::vector<double>(static_cast<std::size_t>(n), 3.0), k_step, k_gravity);
+      contact::ContactProblem problem =
+          test::column(std::vector<double>(static_cast<std::size_t>(n), 3.0), k_step, k_gravity);
       problem.law = law;
       const double expected = std::pow(std::cos(k_pi / (2 * n)), 2);
       EXPECT_NEAR(rate_of(problem, sweeps), expected, 1e-3 * expected) << n;
-      EXPECT_NEAR(std::log(rate_of(reduce(problem), sweeps)) / std::log(expected), 1, 1e-2) << n;
+      EXPECT_NEAR(std::log(rate_of(contact::reduce(problem), sweeps)) / std::log(expected), 1, 1e-2) << n;
     }
 }
 
 TEST(Nsgs, HeavyOnLightContractsAsTheTextbookSays) {
   for (const double ratio : {1.0, 10.0, 100.0}) {
-    ContactProblem problem = test::column({2.0, 2.0 * ratio}, k_step, k_gravity);
+    contact::ContactProblem problem = test::column({2.0, 2.0 * ratio}, k_step, k_gravity);
     problem.law = Law::coulomb;
     for (double& mu : problem.mu) mu = 0.4;
     const double expected = ratio / (ratio + 1);
@@ -52,12 +54,12 @@ TEST(Nsgs, HeavyOnLightContractsAsTheTextbookSays) {
 }
 
 TEST(Nsgs, OneContactTakesOneSweep) {
-  const ContactProblem problem = test::with_order(test::random_heap(3, 4, 6, 0.4), {2});
+  const contact::ContactProblem problem = test::with_order(test::random_heap(3, 4, 6, 0.4), {2});
   for (const Law law : {Law::coulomb, Law::ccp, Law::pyramid, Law::pyramid_k, Law::frictionless}) {
-    ContactProblem one = problem;
+    contact::ContactProblem one = problem;
     one.law = law;
-    const ContactSolution s = solve(one, 1e-13);
-    EXPECT_EQ(s.status, SolveStatus::converged);
+    const contact::ContactSolution s = solve(one, 1e-13);
+    EXPECT_EQ(s.status, contact::SolveStatus::converged);
     EXPECT_LE(s.iterations, 2);
   }
 }
@@ -65,11 +67,11 @@ TEST(Nsgs, OneContactTakesOneSweep) {
 TEST(Nsgs, ReachesEveryLaw) {
   for (const Law law : {Law::coulomb, Law::ccp, Law::pyramid, Law::pyramid_k, Law::frictionless})
     for (std::uint64_t seed = 0; seed < 10; ++seed) {
-      ContactProblem problem = test::random_heap(seed, 8, 14, 0.3);
+      contact::ContactProblem problem = test::random_heap(seed, 8, 14, 0.3);
       problem.law = law;
-      const ContactSolution s = solve(problem);
-      EXPECT_EQ(s.status, SolveStatus::converged) << seed;
-      const Residuals m = measure(problem, s.r, s.v);
+      const contact::ContactSolution s = solve(problem);
+      EXPECT_EQ(s.status, contact::SolveStatus::converged) << seed;
+      const contact::Residuals m = contact::measure(problem, s.r, s.v);
       EXPECT_LE(m.law_map_m_s, 1e-10) << seed;
       EXPECT_LT(m.momentum_sqrtJ, 1e-12) << seed;
     }
@@ -77,27 +79,27 @@ TEST(Nsgs, ReachesEveryLaw) {
 
 TEST(Nsgs, BothFormsMakeTheSameSweeps) {
   for (const Law law : {Law::coulomb, Law::ccp, Law::pyramid, Law::pyramid_k, Law::frictionless}) {
-    ContactProblem problem = test::random_heap(5, 6, 12, 0.3);
+    contact::ContactProblem problem = test::random_heap(5, 6, 12, 0.3);
     problem.law = law;
     const NsgsSolver solver({.shared = {.tolerance = 0, .max_iterations = 7}});
-    EXPECT_LT((solver.solve(problem, {}).r - solver.solve(reduce(problem), {}).r).norm(), 1e-12);
+    EXPECT_LT((solver.solve(problem, {}).r - solver.solve(contact::reduce(problem), {}).r).norm(), 1e-12);
   }
 }
 
 TEST(Nsgs, DuplicatesShareTheImpulse) {
-  ContactProblem problem = test::random_heap(8, 5, 8, 0.3);
+  contact::ContactProblem problem = test::random_heap(8, 5, 8, 0.3);
   problem.law = Law::coulomb;
-  const ContactSolution one = solve(problem, 1e-12), two = solve(test::with_duplicates(problem), 1e-12);
+  const contact::ContactSolution one = solve(problem, 1e-12), two = solve(test::with_duplicates(problem), 1e-12);
   EXPECT_LT((one.v - two.v).cwiseAbs().maxCoeff(), 1e-9);
   EXPECT_LT((one.r - two.r.head(one.r.size()) - two.r.tail(one.r.size())).norm(), 1e-8);
 }
 
 TEST(Nsgs, AWarmStartFromTheAnswerIsDoneAtOnce) {
-  ContactProblem problem = test::raft(6, 0.3, 0.8, 2);
+  contact::ContactProblem problem = test::raft(6, 0.3, 0.8, 2);
   for (const Law law : {Law::coulomb, Law::ccp, Law::pyramid_k}) {
     problem.law = law;
-    const ContactSolution cold = solve(problem, 1e-10);
-    const ContactSolution warm =
+    const contact::ContactSolution cold = solve(problem, 1e-10);
+    const contact::ContactSolution warm =
         NsgsSolver({.shared = {.tolerance = 1e-9, .max_iterations = 1000}}).solve(problem, cold.r);
     EXPECT_LE(warm.iterations, 2) << static_cast<int>(law);
     EXPECT_GT(cold.iterations, 10);
@@ -108,79 +110,79 @@ TEST(Nsgs, SaysWhenItStallsAndReturnsItsBest) {
   // The masses are 1e6 on 1. A sweep stops the lower body, then gives both M/(M + m) times the speed; that is no
   // progress.
   const double ratio = 1e6;
-  ContactProblem problem = test::column({1.0, ratio}, k_step, k_gravity);
+  contact::ContactProblem problem = test::column({1.0, ratio}, k_step, k_gravity);
   problem.law = Law::coulomb;
-  const ContactSolution s = solve(problem);
-  EXPECT_EQ(s.status, SolveStatus::stalled);
+  const contact::ContactSolution s = solve(problem);
+  EXPECT_EQ(s.status, contact::SolveStatus::stalled);
   EXPECT_GE(s.iterations, SweepSettings{}.stall_sweeps);
   EXPECT_LT(s.iterations, 4 * SweepSettings{}.stall_sweeps);
   const double left = k_gravity * k_step * std::pow(ratio / (ratio + 1), s.iterations);
-  EXPECT_NEAR(measure(problem, s.r).law_map_m_s, left, 1e-12);
+  EXPECT_NEAR(contact::measure(problem, s.r).law_map_m_s, left, 1e-12);
   EXPECT_NEAR(s.v[2], -left, 1e-12);
   EXPECT_NEAR(s.v[8], -left, 1e-12);
 }
 
 TEST(Nsgs, StopsWithinItsBudget) {
-  const ContactProblem problem = test::column(std::vector<double>(200, 1.0), k_step, k_gravity);
-  const ContactSolution few = solve(problem, 1e-12, 50);
-  EXPECT_EQ(few.status, SolveStatus::iteration_limit);
+  const contact::ContactProblem problem = test::column(std::vector<double>(200, 1.0), k_step, k_gravity);
+  const contact::ContactSolution few = solve(problem, 1e-12, 50);
+  EXPECT_EQ(few.status, contact::SolveStatus::iteration_limit);
   EXPECT_EQ(few.iterations, 50);
   const auto start = std::chrono::steady_clock::now();
-  const SolverSettings shared{.tolerance = 1e-14, .max_iterations = 1000000000, .max_seconds = 0.05};
-  EXPECT_NE(NsgsSolver({.shared = shared}).solve(problem, {}).status, SolveStatus::converged);
+  const contact::SolverSettings shared{.tolerance = 1e-14, .max_iterations = 1000000000, .max_seconds = 0.05};
+  EXPECT_NE(NsgsSolver({.shared = shared}).solve(problem, {}).status, contact::SolveStatus::converged);
   EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), 1);
 }
 
 TEST(Nsgs, AHistoryDoesNotChangeTheAnswer) {
-  const ContactProblem problem = test::random_heap(3, 8, 14, 0.3);
-  SolverSettings shared{.tolerance = 1e-8, .max_iterations = 100000};
-  const ContactSolution plain = NsgsSolver({.shared = shared}).solve(problem, {});
+  const contact::ContactProblem problem = test::random_heap(3, 8, 14, 0.3);
+  contact::SolverSettings shared{.tolerance = 1e-8, .max_iterations = 100000};
+  const contact::ContactSolution plain = NsgsSolver({.shared = shared}).solve(problem, {});
   shared.keep_history = true;
-  const ContactSolution watched = NsgsSolver({.shared = shared}).solve(problem, {});
+  const contact::ContactSolution watched = NsgsSolver({.shared = shared}).solve(problem, {});
   EXPECT_EQ(plain.r, watched.r);
   EXPECT_TRUE(plain.history.empty());
   EXPECT_EQ(watched.history.size(), static_cast<std::size_t>(watched.iterations));
 }
 
 TEST(Nsgs, SymmetricSweepsReachTheSameAnswer) {
-  ContactProblem problem = test::raft(4, 0.3, 1.0, 2);
+  contact::ContactProblem problem = test::raft(4, 0.3, 1.0, 2);
   problem.law = Law::ccp;  // The problem is convex: its motion is unique.
-  const SolverSettings shared{.tolerance = 1e-10, .max_iterations = 100000};
-  const ContactSolution there = NsgsSolver({.shared = shared}).solve(problem, {});
-  const ContactSolution back = NsgsSolver({.shared = shared, .symmetric_sweeps = true}).solve(problem, {});
-  EXPECT_EQ(back.status, SolveStatus::converged);
+  const contact::SolverSettings shared{.tolerance = 1e-10, .max_iterations = 100000};
+  const contact::ContactSolution there = NsgsSolver({.shared = shared}).solve(problem, {});
+  const contact::ContactSolution back = NsgsSolver({.shared = shared, .symmetric_sweeps = true}).solve(problem, {});
+  EXPECT_EQ(back.status, contact::SolveStatus::converged);
   EXPECT_LT((there.v - back.v).cwiseAbs().maxCoeff(), 1e-8);
 }
 
 TEST(Nsgs, SameBitsForOneAndTwoThreads) {
-  ContactProblem problem = test::random_heap(11, 200, 80, 0.3);
+  contact::ContactProblem problem = test::random_heap(11, 200, 80, 0.3);
   problem.law = Law::coulomb;
-  const ContactSolution one = solve(problem, 1e-10, 100000, 1), two = solve(problem, 1e-10, 100000, 2);
+  const contact::ContactSolution one = solve(problem, 1e-10, 100000, 1), two = solve(problem, 1e-10, 100000, 2);
   EXPECT_EQ(one.r, two.r);
   EXPECT_EQ(one.v, two.v);
   EXPECT_EQ(one.iterations, two.iterations);
 }
 
 TEST(Nsgs, NamesAContactThatCannotYield) {
-  ContactProblem problem = test::random_heap(3, 4, 5, 0.4);
+  contact::ContactProblem problem = test::random_heap(3, 4, 5, 0.4);
   problem.law = Law::coulomb;
   problem.add_contact(-1, MatX(3, 0), -1, MatX(3, 0), 77);
   problem.w[15] = -1;
-  for (const ContactSolution& s : {solve(problem), NsgsSolver({}).solve(reduce(problem), {})}) {
-    EXPECT_EQ(s.status, SolveStatus::numerical_error);
+  for (const contact::ContactSolution& s : {solve(problem), NsgsSolver({}).solve(contact::reduce(problem), {})}) {
+    EXPECT_EQ(s.status, contact::SolveStatus::numerical_error);
     EXPECT_NE(s.message.find("key 77"), std::string::npos) << s.message;
   }
   problem.force_limit.back() = 2;
-  const ContactSolution crushed = solve(problem);
-  EXPECT_EQ(crushed.status, SolveStatus::converged);
+  const contact::ContactSolution crushed = solve(problem);
+  EXPECT_EQ(crushed.status, contact::SolveStatus::converged);
   EXPECT_EQ(crushed.r[15], 2);
 }
 
 TEST(Nsgs, RefusesWhatIsNotFinite) {
-  ContactProblem problem = test::random_heap(3, 4, 5, 0.4);
+  contact::ContactProblem problem = test::random_heap(3, 4, 5, 0.4);
   problem.f[2] = std::nan("");
-  EXPECT_EQ(solve(problem).status, SolveStatus::numerical_error);
+  EXPECT_EQ(solve(problem).status, contact::SolveStatus::numerical_error);
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::solvers

@@ -11,14 +11,14 @@
 #include "tests/support/problem_changes.h"
 #include "tests/support/problem_factory.h"
 
-namespace nilas {
+namespace nilas::solvers {
 namespace {
 
 constexpr int k_iterations = 400;
 
-ContactSolution solve(const ContactProblem& problem, const std::string& name, int iterations = k_iterations,
-                      int threads = 1) {
-  return find_solver(name)
+contact::ContactSolution solve(const contact::ContactProblem& problem, const std::string& name,
+                               int iterations = k_iterations, int threads = 1) {
+  return contact::find_solver(name)
       .make({.tolerance = 1e-6, .max_iterations = iterations, .threads = threads})
       ->solve(problem, {});
 }
@@ -32,8 +32,8 @@ std::vector<int> shuffled(int count, std::uint64_t seed) {
 }
 
 /// The problem with permuted blocks: block k is block order[k] of `problem`.
-ContactProblem with_block_order(const ContactProblem& problem, const std::vector<int>& order) {
-  ContactProblem out;
+contact::ContactProblem with_block_order(const contact::ContactProblem& problem, const std::vector<int>& order) {
+  contact::ContactProblem out;
   out.h = problem.h;
   out.law = problem.law;
   out.facets = problem.facets;
@@ -44,7 +44,7 @@ ContactProblem with_block_order(const ContactProblem& problem, const std::vector
     out.add_block(problem.mass(old));
     out.f.tail(problem.block_size(old)) = problem.f.segment(problem.block_offset[old], problem.block_size(old));
   }
-  ContactProblem moved = problem;
+  contact::ContactProblem moved = problem;
   for (auto& pair : moved.pairs)
     for (int* k : {&pair.a, &pair.b})
       if (*k >= 0) *k = place[*k];
@@ -56,8 +56,8 @@ ContactProblem with_block_order(const ContactProblem& problem, const std::vector
 constexpr double k_signs[6] = {1, -1, 1, -1, 1, -1};
 
 /// The mirror image, with second tangents reversed.
-ContactProblem mirrored(const ContactProblem& problem) {
-  ContactProblem out = problem;
+contact::ContactProblem mirrored(const contact::ContactProblem& problem) {
+  contact::ContactProblem out = problem;
   for (int k = 0; k < problem.num_blocks(); ++k)
     for (int i = 0; i < 6; ++i) {
       out.f[6 * k + i] *= k_signs[i];
@@ -76,8 +76,8 @@ ContactProblem mirrored(const ContactProblem& problem) {
 }
 
 /// Problems with enough contacts and bodies for visible rounding of sums.
-std::vector<ContactProblem> subjects() {
-  std::vector<ContactProblem> all{test::random_heap(7, 40, 200, 0.4), test::raft(12, 0.3, 0.6, 5)};
+std::vector<contact::ContactProblem> subjects() {
+  std::vector<contact::ContactProblem> all{test::random_heap(7, 40, 200, 0.4), test::raft(12, 0.3, 0.6, 5)};
   all.push_back(all.front());
   all.back().law = Law::ccp;
   all.push_back(all.front());
@@ -87,7 +87,9 @@ std::vector<ContactProblem> subjects() {
 
 class OrderFree : public testing::TestWithParam<const char*> {
  protected:
-  ContactSolution solve(const ContactProblem& problem) const { return nilas::solve(problem, GetParam()); }
+  contact::ContactSolution solve(const contact::ContactProblem& problem) const {
+    return nilas::solve(problem, GetParam());
+  }
 };
 INSTANTIATE_TEST_SUITE_P(Solvers, OrderFree, testing::Values("eg-order-free", "newton-order-free"),
                          [](const auto& one) {
@@ -97,24 +99,24 @@ INSTANTIATE_TEST_SUITE_P(Solvers, OrderFree, testing::Values("eg-order-free", "n
                          });
 
 TEST_P(OrderFree, PermutedContactsGiveTheSameBits) {
-  for (const ContactProblem& problem : subjects()) {
-    const ContactSolution one = solve(problem);
+  for (const contact::ContactProblem& problem : subjects()) {
+    const contact::ContactSolution one = solve(problem);
     for (std::uint64_t seed = 0; seed < 5; ++seed) {
       const auto order = shuffled(problem.num_contacts(), seed);
-      const ContactSolution two = solve(test::with_order(problem, order));
+      const contact::ContactSolution two = solve(test::with_order(problem, order));
       EXPECT_EQ(one.v, two.v);
       EXPECT_EQ(one.iterations, two.iterations);
       for (std::size_t k = 0; k < order.size(); ++k)
-        EXPECT_EQ(Vec3(one.r.segment<3>(3 * order[k])), Vec3(two.r.segment<3>(row_of(k))));
+        EXPECT_EQ(Vec3(one.r.segment<3>(3 * order[k])), Vec3(two.r.segment<3>(contact::row_of(k))));
     }
   }
 }
 
 TEST_P(OrderFree, PermutedBodiesAndSwappedSidesGiveTheSameBits) {
-  for (const ContactProblem& problem : subjects()) {
-    const ContactSolution one = solve(problem);
+  for (const contact::ContactProblem& problem : subjects()) {
+    const contact::ContactSolution one = solve(problem);
     const auto order = shuffled(problem.num_blocks(), 9);
-    const ContactSolution two = solve(with_block_order(problem, order));
+    const contact::ContactSolution two = solve(with_block_order(problem, order));
     EXPECT_EQ(one.r, two.r);
     for (std::size_t k = 0; k < order.size(); ++k)
       EXPECT_EQ(Vec6(one.v.segment<6>(6 * order[k])), Vec6(two.v.segment<6>(6 * static_cast<Eigen::Index>(k))));
@@ -122,9 +124,9 @@ TEST_P(OrderFree, PermutedBodiesAndSwappedSidesGiveTheSameBits) {
 }
 
 TEST_P(OrderFree, MirrorImagesGiveTheMirroredBits) {
-  for (const ContactProblem& problem : subjects()) {
+  for (const contact::ContactProblem& problem : subjects()) {
     if (problem.law == Law::pyramid_k) continue;  // The corners of the polygon are not mirrored.
-    const ContactSolution one = solve(problem), two = solve(mirrored(problem));
+    const contact::ContactSolution one = solve(problem), two = solve(mirrored(problem));
     EXPECT_EQ(one.iterations, two.iterations);
     for (int k = 0; k < problem.num_blocks(); ++k)
       for (int i = 0; i < 6; ++i) EXPECT_EQ(two.v[6 * k + i], k_signs[i] * one.v[6 * k + i]);
@@ -133,17 +135,17 @@ TEST_P(OrderFree, MirrorImagesGiveTheMirroredBits) {
 
 /// newton-order-free converges, and each solver reports convergence exactly when its residual meets the tolerance.
 TEST_P(OrderFree, ReachesTheTolerance) {
-  const ContactProblem problem = test::random_heap(7, 40, 200, 0.4);
-  const ContactSolution found = solve(problem);
+  const contact::ContactProblem problem = test::random_heap(7, 40, 200, 0.4);
+  const contact::ContactSolution found = solve(problem);
   if (std::string(GetParam()) == "newton-order-free") {
-    EXPECT_EQ(found.status, SolveStatus::converged);
+    EXPECT_EQ(found.status, contact::SolveStatus::converged);
   }
-  EXPECT_EQ(found.status == SolveStatus::converged, measure(problem, found.r).law_map_m_s <= 1e-6);
+  EXPECT_EQ(found.status == contact::SolveStatus::converged, contact::measure(problem, found.r).law_map_m_s <= 1e-6);
 }
 
 /// A particle (three velocities) touches a body (six): the body's rows begin at an odd index.
 TEST(OrderFreeSolvers, BlocksOfUnlikeSize) {
-  ContactProblem problem;
+  contact::ContactProblem problem;
   problem.h = 0.01;
   problem.add_block(2 * Mat3::Identity());
   problem.f << -2, 0.5, 0.2;
@@ -152,34 +154,34 @@ TEST(OrderFreeSolvers, BlocksOfUnlikeSize) {
   MatX particle = MatX::Identity(3, 3);
   problem.add_contact(0, particle, 1, test::body_rows(Mat3::Identity(), Vec3(0.1, 0.2, 0.3), body.p, -1), 1);
   problem.mu[0] = problem.mu_static[0] = 0.3;
-  const ContactSolution expected = solve(problem, "enumerate");
+  const contact::ContactSolution expected = solve(problem, "enumerate");
   for (const char* name : {"eg", "eg-order-free", "newton-order-free", "apgd", "nsgs"})
     EXPECT_LT((solve(problem, name).v - expected.v).norm(), 1e-5) << name;
   EXPECT_GT(expected.r[0], 0);
 }
 
 TEST(OrderFreeSolvers, ThePlainSolverDoesNotHaveThisProperty) {
-  const ContactProblem problem = test::random_heap(7, 40, 200, 0.4);
+  const contact::ContactProblem problem = test::random_heap(7, 40, 200, 0.4);
   const auto order = shuffled(problem.num_contacts(), 1);
   EXPECT_NE(solve(problem, "eg").v, solve(test::with_order(problem, order), "eg").v);
 }
 
 /// The islands are large enough to be coloured and distributed.
 TEST(Threads, LargeIslandsGiveTheSameBitsOnAnyNumber) {
-  const ContactProblem problem = test::raft(24, 0.3, 1.0, 5);
+  const contact::ContactProblem problem = test::raft(24, 0.3, 1.0, 5);
   ASSERT_GE(problem.num_contacts(), static_cast<int>(k_fewest_coloured));
   for (const char* name : {"nsgs", "eg", "eg-order-free", "apgd", "pgs"}) {
-    ContactProblem asked = problem;
+    contact::ContactProblem asked = problem;
     if (std::string(name) == "pgs") asked.law = Law::pyramid;
     constexpr int k_few = 20;  // More threads than cores wait for each other.
-    const ContactSolution one = solve(asked, name, k_few, 1);
+    const contact::ContactSolution one = solve(asked, name, k_few, 1);
     for (const int threads : {2, 3})
       EXPECT_EQ(one.r, solve(asked, name, k_few, threads).r) << name << " on " << threads;
   }
 }
 
 TEST(Colouring, RunsOfOneColourShareNoBlock) {
-  ContactProblem problem = test::raft(24, 0.3, 1.0, 5);
+  contact::ContactProblem problem = test::raft(24, 0.3, 1.0, 5);
   std::vector<int> contacts(static_cast<std::size_t>(problem.num_contacts())), runs, colours;
   std::iota(contacts.begin(), contacts.end(), 0);
   // One body touches many: its contacts are solved one after the other.
@@ -209,4 +211,4 @@ TEST(Colouring, RunsOfOneColourShareNoBlock) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::solvers

@@ -7,7 +7,7 @@
 #include "tests/contact/solvers/contraction.h"
 #include "tests/support/problem_factory.h"
 
-namespace nilas {
+namespace nilas::solvers {
 namespace {
 
 constexpr double k_gravity = 9.81;
@@ -15,9 +15,9 @@ constexpr double k_step = 0.01;
 
 /// Contraction of law_map per sweep, late in the history of a column's impulses from rest.
 double measured_rate(const std::vector<double>& masses, int sweeps) {
-  const ContactProblem problem = test::column(masses, k_step, k_gravity);
+  const contact::ContactProblem problem = test::column(masses, k_step, k_gravity);
   const PgsSolver solver({.shared = {.tolerance = 0, .max_iterations = sweeps, .keep_history = true}});
-  const ContactSolution s = solver.solve(problem, {});
+  const contact::ContactSolution s = solver.solve(problem, {});
   EXPECT_EQ(s.history.size(), static_cast<std::size_t>(sweeps));
   return test::late_contraction(s.history);
 }
@@ -43,9 +43,10 @@ TEST(PgsConvergence, HeavyOnLightContractsAsTheTextbookSays) {
 
 TEST(PgsConvergence, ColumnCarriesItsWeight) {
   const std::vector<double> masses{1, 2, 3, 4};
-  const ContactProblem problem = test::column(masses, k_step, k_gravity);
-  const ContactSolution s = PgsSolver({.shared = {.tolerance = 1e-13, .max_iterations = 10000}}).solve(problem, {});
-  EXPECT_EQ(s.status, SolveStatus::converged);
+  const contact::ContactProblem problem = test::column(masses, k_step, k_gravity);
+  const contact::ContactSolution s =
+      PgsSolver({.shared = {.tolerance = 1e-13, .max_iterations = 10000}}).solve(problem, {});
+  EXPECT_EQ(s.status, contact::SolveStatus::converged);
   double above = 10;
   for (int c = 0; c < 4; ++c) {
     EXPECT_NEAR(s.r[3 * c], above * k_gravity * k_step, 1e-11);
@@ -55,25 +56,27 @@ TEST(PgsConvergence, ColumnCarriesItsWeight) {
 
 TEST(PgsConvergence, DiscReachesExactCoulomb) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
-    ContactProblem problem = test::random_heap(seed, 8, 14, 0.3);
+    contact::ContactProblem problem = test::random_heap(seed, 8, 14, 0.3);
     problem.law = Law::coulomb;
-    const ContactSolution s = PgsSolver({.shared = {.tolerance = 1e-10, .max_iterations = 200000}}).solve(problem, {});
-    EXPECT_EQ(s.status, SolveStatus::converged) << seed;
-    const Residuals m = measure(problem, s.r, s.v);
+    const contact::ContactSolution s =
+        PgsSolver({.shared = {.tolerance = 1e-10, .max_iterations = 200000}}).solve(problem, {});
+    EXPECT_EQ(s.status, contact::SolveStatus::converged) << seed;
+    const contact::Residuals m = contact::measure(problem, s.r, s.v);
     EXPECT_LE(m.natural_map_m_s, 1e-10) << seed;
     EXPECT_LT(m.momentum_sqrtJ, 1e-12) << seed;
-    EXPECT_LT((s.u - contact_velocities(problem, s.v)).norm(), 1e-15);
+    EXPECT_LT((s.u - contact::contact_velocities(problem, s.v)).norm(), 1e-15);
   }
 }
 
 TEST(PgsConvergence, PyramidReachesItsOwnLawAndNotTheCone) {
   double farthest = 0;
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
-    ContactProblem problem = test::random_heap(seed, 8, 14, 0.3);
+    contact::ContactProblem problem = test::random_heap(seed, 8, 14, 0.3);
     problem.law = Law::pyramid;
-    const ContactSolution s = PgsSolver({.shared = {.tolerance = 1e-10, .max_iterations = 200000}}).solve(problem, {});
-    EXPECT_EQ(s.status, SolveStatus::converged) << seed;
-    const Residuals m = measure(problem, s.r, s.v);
+    const contact::ContactSolution s =
+        PgsSolver({.shared = {.tolerance = 1e-10, .max_iterations = 200000}}).solve(problem, {});
+    EXPECT_EQ(s.status, contact::SolveStatus::converged) << seed;
+    const contact::Residuals m = contact::measure(problem, s.r, s.v);
     EXPECT_LE(m.law_map_m_s, 1e-10) << seed;
     farthest = std::max(farthest, m.natural_map_m_s);
   }
@@ -83,20 +86,20 @@ TEST(PgsConvergence, PyramidReachesItsOwnLawAndNotTheCone) {
 TEST(PgsConvergence, ConvergedMeansWhatMeasureSays) {
   for (const Law law : {Law::pyramid, Law::coulomb, Law::frictionless})
     for (const double tolerance : {1e-2, 1e-4, 1e-6, 1e-8}) {
-      ContactProblem problem = test::raft(8, 0.3, 0.8, 4);
+      contact::ContactProblem problem = test::raft(8, 0.3, 0.8, 4);
       problem.law = law;
-      const ContactSolution s =
+      const contact::ContactSolution s =
           PgsSolver({.shared = {.tolerance = tolerance, .max_iterations = 100000}}).solve(problem, {});
-      EXPECT_EQ(s.status, SolveStatus::converged);
-      EXPECT_LE(measure(problem, s.r).law_map_m_s, tolerance);
+      EXPECT_EQ(s.status, contact::SolveStatus::converged);
+      EXPECT_LE(contact::measure(problem, s.r).law_map_m_s, tolerance);
     }
 }
 
 TEST(PgsConvergence, StopsSoonAfterTheToleranceHolds) {
-  ContactProblem problem = test::raft(8, 0.3, 0.8, 4);
+  contact::ContactProblem problem = test::raft(8, 0.3, 0.8, 4);
   problem.law = Law::pyramid;
-  const SolverSettings shared{.tolerance = 1e-6, .max_iterations = 100000, .keep_history = true};
-  const ContactSolution s = PgsSolver({.shared = shared}).solve(problem, {});
+  const contact::SolverSettings shared{.tolerance = 1e-6, .max_iterations = 100000, .keep_history = true};
+  const contact::ContactSolution s = PgsSolver({.shared = shared}).solve(problem, {});
   ASSERT_EQ(s.history.size(), static_cast<std::size_t>(s.iterations));
   int first = 0;
   while (s.history[first] > shared.tolerance) ++first;
@@ -104,49 +107,51 @@ TEST(PgsConvergence, StopsSoonAfterTheToleranceHolds) {
 }
 
 TEST(PgsConvergence, AHistoryDoesNotChangeTheAnswer) {
-  const ContactProblem problem = test::random_heap(3, 8, 14, 0.3);
-  SolverSettings shared{.tolerance = 1e-8, .max_iterations = 100000};
-  const ContactSolution plain = PgsSolver({.shared = shared}).solve(problem, {});
+  const contact::ContactProblem problem = test::random_heap(3, 8, 14, 0.3);
+  contact::SolverSettings shared{.tolerance = 1e-8, .max_iterations = 100000};
+  const contact::ContactSolution plain = PgsSolver({.shared = shared}).solve(problem, {});
   shared.keep_history = true;
-  const ContactSolution watched = PgsSolver({.shared = shared}).solve(problem, {});
+  const contact::ContactSolution watched = PgsSolver({.shared = shared}).solve(problem, {});
   EXPECT_EQ(plain.r, watched.r);
   EXPECT_TRUE(plain.history.empty());
   EXPECT_LE(watched.history.back(), 1e-8);
 }
 
 TEST(PgsConvergence, ZeroToleranceDoesExactlyTheSweepsAsked) {
-  const ContactProblem problem = test::random_heap(3, 8, 14, 0.3);
-  const ContactSolution s = PgsSolver({.shared = {.tolerance = 0, .max_iterations = 37}}).solve(problem, {});
+  const contact::ContactProblem problem = test::random_heap(3, 8, 14, 0.3);
+  const contact::ContactSolution s = PgsSolver({.shared = {.tolerance = 0, .max_iterations = 37}}).solve(problem, {});
   EXPECT_EQ(s.iterations, 37);
-  EXPECT_EQ(s.status, SolveStatus::iteration_limit);
-  const ContactSolution none = PgsSolver({.shared = {.tolerance = 0, .max_iterations = 0}}).solve(problem, {});
+  EXPECT_EQ(s.status, contact::SolveStatus::iteration_limit);
+  const contact::ContactSolution none = PgsSolver({.shared = {.tolerance = 0, .max_iterations = 0}}).solve(problem, {});
   EXPECT_EQ(none.iterations, 0);
   EXPECT_EQ(none.r, VecX::Zero(42));
 }
 
 TEST(PgsConvergence, TooFewSweepsReachTheIterationLimit) {
-  const ContactProblem problem = test::column(std::vector<double>(20, 1.0), k_step, k_gravity);
-  const ContactSolution s = PgsSolver({.shared = {.tolerance = 1e-8, .max_iterations = 15}}).solve(problem, {});
-  EXPECT_EQ(s.status, SolveStatus::iteration_limit);
+  const contact::ContactProblem problem = test::column(std::vector<double>(20, 1.0), k_step, k_gravity);
+  const contact::ContactSolution s =
+      PgsSolver({.shared = {.tolerance = 1e-8, .max_iterations = 15}}).solve(problem, {});
+  EXPECT_EQ(s.status, contact::SolveStatus::iteration_limit);
   EXPECT_EQ(s.iterations, 15);
 }
 
 TEST(PgsConvergence, AToleranceBelowRoundingStalls) {
-  const ContactProblem problem = test::random_heap(3, 8, 14, 0.3);
-  const ContactSolution s = PgsSolver({.shared = {.tolerance = 1e-30, .max_iterations = 1000000}}).solve(problem, {});
-  EXPECT_EQ(s.status, SolveStatus::stalled);
+  const contact::ContactProblem problem = test::random_heap(3, 8, 14, 0.3);
+  const contact::ContactSolution s =
+      PgsSolver({.shared = {.tolerance = 1e-30, .max_iterations = 1000000}}).solve(problem, {});
+  EXPECT_EQ(s.status, contact::SolveStatus::stalled);
   EXPECT_LT(s.iterations, 10000);
-  EXPECT_LT(measure(problem, s.r).law_map_m_s, 1e-13);
+  EXPECT_LT(contact::measure(problem, s.r).law_map_m_s, 1e-13);
 }
 
 TEST(PgsConvergence, WarmStartSavesSweeps) {
-  ContactProblem problem = test::raft(8, 0.3, 0.8, 4);
+  contact::ContactProblem problem = test::raft(8, 0.3, 0.8, 4);
   problem.law = Law::pyramid;
   const PgsSolver solver({.shared = {.tolerance = 1e-8, .max_iterations = 100000}});
-  const ContactSolution cold = solver.solve(problem, {});
+  const contact::ContactSolution cold = solver.solve(problem, {});
   EXPECT_GT(cold.iterations, 50);
-  const ContactSolution again = solver.solve(problem, cold.r);
-  EXPECT_EQ(again.status, SolveStatus::converged);
+  const contact::ContactSolution again = solver.solve(problem, cold.r);
+  EXPECT_EQ(again.status, contact::SolveStatus::converged);
   EXPECT_LE(again.iterations, 1);
   problem.f *= 1.001;  // The problem is that of the next step of a slow scene.
   EXPECT_LT(solver.solve(problem, cold.r).iterations, solver.solve(problem, {}).iterations);
@@ -155,7 +160,7 @@ TEST(PgsConvergence, WarmStartSavesSweeps) {
 TEST(PgsConvergence, BackwardSweepsCarryAPushDownAChain) {
   // The contacts are listed against the push: a forward sweep transmits it by one contact, a backward sweep by all.
   const int n = 60;
-  ContactProblem problem;
+  contact::ContactProblem problem;
   problem.law = Law::frictionless;
   std::vector<test::TestBody> bodies;
   for (int k = 0; k < n; ++k) {
@@ -174,10 +179,10 @@ TEST(PgsConvergence, BackwardSweepsCarryAPushDownAChain) {
     const PgsSolver solver({.shared = {.tolerance = 1e-9, .max_iterations = 100000}, .symmetric_sweeps = symmetric});
     return solver.solve(problem, {});
   };
-  const ContactSolution s = converged(true);
-  EXPECT_EQ(s.status, SolveStatus::converged);
+  const contact::ContactSolution s = converged(true);
+  EXPECT_EQ(s.status, contact::SolveStatus::converged);
   for (int k = 0; k < n; ++k) EXPECT_NEAR(s.v[6 * k], 1.0 / n, 1e-6);
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::solvers

@@ -8,17 +8,17 @@
 #include "tests/support/problem_changes.h"
 #include "tests/support/problem_factory.h"
 
-namespace nilas {
+namespace nilas::solvers {
 namespace {
 
-ContactSolution solve(const ContactProblem& problem, int threads = 1) {
+contact::ContactSolution solve(const contact::ContactProblem& problem, int threads = 1) {
   return PgsSolver({.shared = {.tolerance = 1e-12, .max_iterations = 500000, .threads = threads}}).solve(problem, {});
 }
 
 /// The same heap in a frame turned by R. Contact rows are made anew, with tangents turned by an angle of each contact's
 /// own.
-ContactProblem turned(const ContactProblem& problem, const Mat3& R) {
-  ContactProblem out = problem;
+contact::ContactProblem turned(const contact::ContactProblem& problem, const Mat3& R) {
+  contact::ContactProblem out = problem;
   Mat6 blocks = Mat6::Zero();
   blocks.topLeftCorner<3, 3>() = R;
   blocks.bottomRightCorner<3, 3>() = R;
@@ -38,7 +38,7 @@ ContactProblem turned(const ContactProblem& problem, const Mat3& R) {
 TEST(PgsInvariance, RotationOfTheWholeScene) {
   const Mat3 R = Quat(0.3, -0.4, 0.8, 0.1).normalized().matrix();
   for (const Law law : {Law::coulomb, Law::pyramid}) {
-    ContactProblem problem = test::random_heap(2, 8, 12, 0.3);
+    contact::ContactProblem problem = test::random_heap(2, 8, 12, 0.3);
     problem.law = law;
     const VecX v = solve(problem).v, v_turned = solve(turned(problem, R)).v;
     for (int k = 0; k < v.size(); k += 3) EXPECT_LT((R * v.segment<3>(k) - v_turned.segment<3>(k)).norm(), 1e-9);
@@ -46,7 +46,7 @@ TEST(PgsInvariance, RotationOfTheWholeScene) {
 }
 
 TEST(PgsInvariance, TangentsMatterToThePyramidAloneAndQuarterTurnsToNeither) {
-  ContactProblem problem = test::random_heap(2, 8, 12, 0.3);
+  contact::ContactProblem problem = test::random_heap(2, 8, 12, 0.3);
   const auto change = [&](Law law, double angle) {
     problem.law = law;
     return (solve(problem).v - solve(test::with_turned_tangents(problem, angle)).v).cwiseAbs().maxCoeff();
@@ -57,21 +57,21 @@ TEST(PgsInvariance, TangentsMatterToThePyramidAloneAndQuarterTurnsToNeither) {
 }
 
 TEST(PgsInvariance, IslandsApartAndTogether) {
-  ContactProblem problem = test::random_heap(2, 14, 9, 0.3);
+  contact::ContactProblem problem = test::random_heap(2, 14, 9, 0.3);
   problem.law = Law::coulomb;
-  ASSERT_GT(find_islands(problem).size(), 1u);
-  ContactProblem linked = problem;  // Open contacts join all bodies into one island.
+  ASSERT_GT(contact::find_islands(problem).size(), 1u);
+  contact::ContactProblem linked = problem;  // Open contacts join all bodies into one island.
   for (int k = 0; k + 1 < problem.num_blocks(); ++k) {
     linked.add_contact(k, MatX::Ones(3, 6), k + 1, -MatX::Ones(3, 6), 1000 + static_cast<std::uint64_t>(k));
     linked.w[linked.w.size() - 3] = 1e6;
   }
-  ASSERT_EQ(find_islands(linked).size(), 1u);
+  ASSERT_EQ(contact::find_islands(linked).size(), 1u);
   EXPECT_LT((solve(problem).v - solve(linked).v).cwiseAbs().maxCoeff(), 1e-9);
 }
 
 TEST(PgsInvariance, AFarCopyGivesTheSameBits) {
-  const ContactProblem one = test::random_heap(3, 6, 11, 0.3);
-  ContactProblem two = one;
+  const contact::ContactProblem one = test::random_heap(3, 6, 11, 0.3);
+  contact::ContactProblem two = one;
   for (int k = 0; k < one.num_blocks(); ++k) two.add_block(one.mass(k));
   two.f.tail(one.f.size()) = one.f;
   const auto shifted = [&](int k) { return k < 0 ? -1 : k + one.num_blocks(); };
@@ -81,18 +81,18 @@ TEST(PgsInvariance, AFarCopyGivesTheSameBits) {
                     500 + static_cast<std::uint64_t>(c));
     two.mu.back() = two.mu_static.back() = one.mu[c];
   }
-  const ContactSolution a = solve(one), b = solve(two);
+  const contact::ContactSolution a = solve(one), b = solve(two);
   EXPECT_EQ(a.r, b.r.head(a.r.size()));
   EXPECT_EQ(a.r, b.r.tail(a.r.size()));
   EXPECT_EQ(a.v, b.v.tail(a.v.size()));
 }
 
 TEST(PgsInvariance, SameBitsForOneAndTwoThreads) {
-  ContactProblem problem = test::random_heap(11, 400, 150, 0.3);
-  ASSERT_GT(find_islands(problem).size(), 50u);
+  contact::ContactProblem problem = test::random_heap(11, 400, 150, 0.3);
+  ASSERT_GT(contact::find_islands(problem).size(), 50u);
   for (const Law law : {Law::pyramid, Law::coulomb, Law::frictionless}) {
     problem.law = law;
-    const ContactSolution one = solve(problem, 1), two = solve(problem, 2);
+    const contact::ContactSolution one = solve(problem, 1), two = solve(problem, 2);
     EXPECT_EQ(one.r, two.r);
     EXPECT_EQ(one.v, two.v);
     EXPECT_EQ(one.iterations, two.iterations);
@@ -102,8 +102,8 @@ TEST(PgsInvariance, SameBitsForOneAndTwoThreads) {
 
 /// The same problem with blocks 0 and 1 as one block of twelve: contacts have blocks of any size, and both sides in
 /// one.
-ContactProblem merged(const ContactProblem& problem) {
-  ContactProblem out;
+contact::ContactProblem merged(const contact::ContactProblem& problem) {
+  contact::ContactProblem out;
   out.h = problem.h;
   out.law = problem.law;
   MatX mass = MatX::Zero(12, 12);
@@ -113,7 +113,7 @@ ContactProblem merged(const ContactProblem& problem) {
   for (int k = 2; k < problem.num_blocks(); ++k) out.add_block(problem.mass(k));
   out.f = problem.f;
   const auto block = [](int k) { return k <= 0 ? k : k - 1; };
-  const auto rows = [&](int k, const ContactProblem::ConstJacobian& jacobian) -> MatX {
+  const auto rows = [&](int k, const contact::ContactProblem::ConstJacobian& jacobian) -> MatX {
     if (k < 0 || k > 1) return jacobian;
     MatX wide = MatX::Zero(3, 12);
     wide.middleCols(6 * k, 6) = jacobian;
@@ -131,9 +131,9 @@ ContactProblem merged(const ContactProblem& problem) {
 
 TEST(PgsInvariance, BlocksOfAnySizeAreSweptAlike) {
   for (const Law law : {Law::pyramid, Law::coulomb, Law::frictionless}) {
-    ContactProblem problem = test::random_heap(6, 5, 14, 0.3);
+    contact::ContactProblem problem = test::random_heap(6, 5, 14, 0.3);
     problem.law = law;
-    const ContactProblem general = merged(problem);
+    const contact::ContactProblem general = merged(problem);
     ASSERT_TRUE(std::any_of(general.pairs.begin(), general.pairs.end(), [](const auto& p) { return p.a == p.b; }));
     for (const int sweeps : {1, 10}) {
       const PgsSolver solver({.shared = {.tolerance = 0, .max_iterations = sweeps}});
@@ -145,7 +145,7 @@ TEST(PgsInvariance, BlocksOfAnySizeAreSweptAlike) {
 TEST(PgsInvariance, SweepsAreSequentialOnSingleRows) {
   // The definition, row by row on dense matrices, is compared with the blockwise arithmetic of the sweeps.
   for (const Law law : {Law::pyramid, Law::coulomb}) {
-    ContactProblem problem = test::random_heap(8, 4, 9, 0.4);
+    contact::ContactProblem problem = test::random_heap(8, 4, 9, 0.4);
     problem.law = law;
     const int rows = 3 * problem.num_contacts();
     MatX jacobian = MatX::Zero(rows, problem.num_velocities());
@@ -182,13 +182,13 @@ TEST(PgsInvariance, ContactImpulsesCarryNoMomentumOfTheirOwn) {
   RandomStream random(1, "momentum");
   std::vector<test::TestBody> bodies{{2, Vec3(1, 2, 3).asDiagonal(), Vec3(0.3, -2, 1), Vec3(1, 0, 2), Vec3(0, 1, 0)},
                                      {5, Vec3(3, 2, 4).asDiagonal(), Vec3(2, 1, -1), Vec3(-1, 1, 0), Vec3(1, 0, 0)}};
-  ContactProblem problem;
+  contact::ContactProblem problem;
   problem.law = Law::coulomb;
   for (const auto& body : bodies) test::add_body(problem, body);
   for (int k = 0; k < 5; ++k)
     test::add_contact(problem, bodies, 0, 1, test::random_vector(random),
                       test::frame_of(test::random_vector(random).normalized()), 0.5);
-  const ContactSolution s = solve(problem);
+  const contact::ContactSolution s = solve(problem);
   ASSERT_GT(s.r.norm(), 0.1);
   VecX gained = -problem.f;
   for (int k = 0; k < 2; ++k) gained.segment<6>(6 * k) += problem.mass(k) * s.v.segment<6>(6 * k);
@@ -200,4 +200,4 @@ TEST(PgsInvariance, ContactImpulsesCarryNoMomentumOfTheirOwn) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::solvers

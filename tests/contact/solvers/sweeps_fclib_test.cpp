@@ -4,18 +4,18 @@
 #include "contact/registry.h"
 #include "tests/contact/fclib/recorded_problems.h"
 
-namespace nilas {
+namespace nilas::solvers {
 namespace {
 
 /// Checks the law's residual that a solver reaches within two seconds, where it reports convergence.
 void expect_solved(const std::string& solver, const std::filesystem::path& file) {
-  const FclibProblem read = read_fclib(file);
-  const SolverSettings settings{.tolerance = 1e-8, .max_iterations = 1000000, .max_seconds = 2};
+  const contact::FclibProblem read = contact::read_fclib(file);
+  const contact::SolverSettings settings{.tolerance = 1e-8, .max_iterations = 1000000, .max_seconds = 2};
   std::visit(
       [&](const auto& problem) {
-        const ContactSolution solution = find_solver(solver).make(settings)->solve(problem, {});
-        EXPECT_EQ(solution.status, SolveStatus::converged) << solver << " " << file;
-        EXPECT_LE(measure(problem, solution.r).natural_map_m_s, 1e-8) << solver << " " << file;
+        const contact::ContactSolution solution = contact::find_solver(solver).make(settings)->solve(problem, {});
+        EXPECT_EQ(solution.status, contact::SolveStatus::converged) << solver << " " << file;
+        EXPECT_LE(contact::measure(problem, solution.r).natural_map_m_s, 1e-8) << solver << " " << file;
       },
       read.problem);
 }
@@ -47,4 +47,4 @@ TEST(RecordedProblems, AcceleratedProjectedGradient) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::solvers

@@ -5,42 +5,44 @@
 #include "contact/registry.h"
 #include "tests/support/cone_problems.h"
 
-namespace nilas {
+namespace nilas::solvers {
 namespace {
 
 constexpr double k_tolerance = 1e-9;
 
 WithRetry few_sweeps_then(const char* second, int iterations) {
-  return {find_solver("nsgs").make({.tolerance = k_tolerance, .max_iterations = 5}),
-          find_solver(second).make({.tolerance = k_tolerance, .max_iterations = iterations})};
+  return {contact::find_solver("nsgs").make({.tolerance = k_tolerance, .max_iterations = 5}),
+          contact::find_solver(second).make({.tolerance = k_tolerance, .max_iterations = iterations})};
 }
 
 TEST(WithRetry, TheSecondGoesOnWhereTheFirstFails) {
-  const ContactProblem problem = test::box_stack(test::growing_masses(10, 1e3), 0.5);
-  const ContactSolution solution = few_sweeps_then("auto", 1000).solve(problem, {});
-  EXPECT_EQ(solution.status, SolveStatus::converged);
-  EXPECT_LE(measure(problem, solution.r).law_map_m_s, k_tolerance);
+  const contact::ContactProblem problem = test::box_stack(test::growing_masses(10, 1e3), 0.5);
+  const contact::ContactSolution solution = few_sweeps_then("auto", 1000).solve(problem, {});
+  EXPECT_EQ(solution.status, contact::SolveStatus::converged);
+  EXPECT_LE(contact::measure(problem, solution.r).law_map_m_s, k_tolerance);
   EXPECT_GT(solution.iterations, 5);
   EXPECT_NE(solution.message.find("retried with auto"), std::string::npos);
 }
 
 TEST(WithRetry, TheSecondIsNotAskedWhereTheFirstConverges) {
-  const ContactProblem problem = test::particle(Law::coulomb, 2, 0.5, {-1, 3, 0});
-  const ContactSolution solution = few_sweeps_then("auto", 1000).solve(problem, {});
-  EXPECT_EQ(solution.status, SolveStatus::converged);
+  const contact::ContactProblem problem = test::particle(Law::coulomb, 2, 0.5, {-1, 3, 0});
+  const contact::ContactSolution solution = few_sweeps_then("auto", 1000).solve(problem, {});
+  EXPECT_EQ(solution.status, contact::SolveStatus::converged);
   EXPECT_EQ(solution.message, "");
 }
 
 TEST(WithRetry, TheBetterOfTwoFailuresStays) {
-  const ContactProblem problem = test::box_stack(test::growing_masses(10, 1e3), 0.5);
+  const contact::ContactProblem problem = test::box_stack(test::growing_masses(10, 1e3), 0.5);
   const double first =
-      measure(problem, find_solver("nsgs").make({.tolerance = k_tolerance, .max_iterations = 5})->solve(problem, {}).r)
+      contact::measure(
+          problem,
+          contact::find_solver("nsgs").make({.tolerance = k_tolerance, .max_iterations = 5})->solve(problem, {}).r)
           .law_map_m_s;
   for (const char* second : {"eg", "apgd", "ipm", "admm"}) {
-    const ContactSolution solution = few_sweeps_then(second, 1).solve(reduce(problem), {});
-    EXPECT_LE(measure(problem, solution.r).law_map_m_s, first * (1 + 1e-9)) << second;
+    const contact::ContactSolution solution = few_sweeps_then(second, 1).solve(contact::reduce(problem), {});
+    EXPECT_LE(contact::measure(problem, solution.r).law_map_m_s, first * (1 + 1e-9)) << second;
   }
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::solvers

@@ -6,15 +6,15 @@
 #include "tests/core/bodies/solids.h"
 #include "tests/support/random_vectors.h"
 
-namespace nilas {
+namespace nilas::bodies {
 namespace {
 
 BodySpec floe(const std::string& name) {
   BodySpec spec;
   spec.name = name;
   spec.kind = BodyKind::floe;
-  spec.shape = std::make_shared<const Shape>(box_shape({2, 1, 0.5}));
-  const MassProperties p = box_properties({2, 1, 0.5}, 900);
+  spec.shape = std::make_shared<const geometry::Shape>(geometry::box_shape({2, 1, 0.5}));
+  const geometry::MassProperties p = geometry::box_properties({2, 1, 0.5}, 900);
   spec.mass = p.mass;
   spec.inertia_B = p.inertia;
   return spec;
@@ -121,4 +121,4 @@ TEST(Bodies, WrongSpecsBreakTheContractAndLeaveNothing) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::bodies

@@ -9,6 +9,7 @@
 namespace {
 
 using namespace nilas;
+using namespace nilas::bodies;
 
 TEST(Exponential, TurnsByTheVectorsLength) {
   const Vec3 axis = Vec3(1, 2, -2) / 3;

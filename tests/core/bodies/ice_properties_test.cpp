@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace nilas {
+namespace nilas::bodies {
 namespace {
 
 TEST(WeakLines, SegmentsNearAnOutlineAreKeptAboutItsCentre) {
@@ -16,4 +16,4 @@ TEST(WeakLines, SegmentsNearAnOutlineAreKeptAboutItsCentre) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::bodies

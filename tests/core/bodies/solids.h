@@ -9,7 +9,7 @@
 #include "core/geometry/mass_properties.h"
 #include "core/geometry/mesh.h"
 
-namespace nilas {
+namespace nilas::bodies {
 
 inline const std::vector<Vec2>& l_outline() {
   static const std::vector<Vec2> outline{{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 4}, {0, 4}};
@@ -40,8 +40,8 @@ inline std::vector<Vec2> random_star_polygon(RandomStream& random) {
 }
 
 /// Each triangle cut into four; points on shared edges stay shared.
-inline TriangleMesh subdivided(const TriangleMesh& mesh) {
-  TriangleMesh fine{mesh.vertices, {}};
+inline geometry::TriangleMesh subdivided(const geometry::TriangleMesh& mesh) {
+  geometry::TriangleMesh fine{mesh.vertices, {}};
   std::map<std::pair<int, int>, int> middles;
   const auto middle = [&](int a, int b) {
     const auto [found, fresh] = middles.try_emplace(std::minmax(a, b), static_cast<int>(fine.vertices.size()));
@@ -55,14 +55,14 @@ inline TriangleMesh subdivided(const TriangleMesh& mesh) {
   return fine;
 }
 
-inline TriangleMesh octahedron() {
+inline geometry::TriangleMesh octahedron() {
   return {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-1, 0, 0}, {0, -1, 0}, {0, 0, -1}},
           {{0, 1, 2}, {1, 3, 2}, {3, 4, 2}, {4, 0, 2}, {1, 0, 5}, {3, 1, 5}, {4, 3, 5}, {0, 4, 5}}};
 }
 
 /// 8 * 4^levels triangles on the sphere about the origin.
-inline TriangleMesh sphere_mesh(double radius, int levels) {
-  TriangleMesh mesh = octahedron();
+inline geometry::TriangleMesh sphere_mesh(double radius, int levels) {
+  geometry::TriangleMesh mesh = octahedron();
   for (int level = 0; level < levels; ++level) {
     mesh = subdivided(mesh);
     for (auto& p : mesh.vertices) p.normalize();
@@ -71,9 +71,9 @@ inline TriangleMesh sphere_mesh(double radius, int levels) {
   return mesh;
 }
 
-inline TriangleMesh moved(TriangleMesh mesh, const Mat3& R, const Vec3& p) {
+inline geometry::TriangleMesh moved(geometry::TriangleMesh mesh, const Mat3& R, const Vec3& p) {
   for (auto& x : mesh.vertices) x = R * x + p;
   return mesh;
 }
 
-}  // namespace nilas
+}  // namespace nilas::bodies

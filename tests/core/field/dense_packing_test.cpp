@@ -10,7 +10,7 @@
 #include "core/geometry/polygon.h"
 #include "tests/core/field/field_measures.h"
 
-namespace nilas {
+namespace nilas::field {
 namespace {
 
 void expect_packed(const PackedSpec& spec, const FieldResult& field, double largest) {
@@ -77,7 +77,7 @@ TEST(DenseSquares, LieInRowsBesideAHull) {
   const FieldResult field = pack_field(spec);
   EXPECT_LT(test::deepest_overlap(field), 0);
   EXPECT_GT(field.concentration, 0.935);
-  for (const auto& floe : field.floes) EXPECT_LE(convex_overlap(spec.keep_out[0], floe.outline), 0);
+  for (const auto& floe : field.floes) EXPECT_LE(geometry::convex_overlap(spec.keep_out[0], floe.outline), 0);
 }
 
 TEST(DenseRectangles, ReachNinetySixPercentInRows) {
@@ -107,11 +107,11 @@ TEST(Library, ScalesOutlinesToTheSizesAndCountsTheTrueArea) {
   double ice = 0;
   std::size_t concave = 0;
   for (const auto& floe : field.floes) {
-    const double area = polygon_moments(floe.outline).area;
+    const double area = geometry::polygon_moments(floe.outline).area;
     ice += area;
     EXPECT_GE(std::sqrt(area), spec.min * (1 - 1e-12));
     EXPECT_LE(std::sqrt(area), spec.max * (1 + 1e-12));
-    if (!is_convex(floe.outline)) ++concave;
+    if (!geometry::is_convex(floe.outline)) ++concave;
   }
   EXPECT_NEAR(ice / 140, field.concentration, 1e-12);
   EXPECT_NEAR(ice / 140, 0.55, 0.5 * spec.max * spec.max / 140);
@@ -119,14 +119,16 @@ TEST(Library, ScalesOutlinesToTheSizesAndCountsTheTrueArea) {
   EXPECT_LT(concave, field.floes.size());
   for (std::size_t i = 0; i < field.floes.size(); ++i)
     for (std::size_t j = i + 1; j < field.floes.size(); ++j)
-      EXPECT_LT(convex_overlap(convex_hull(field.floes[i].outline), convex_hull(field.floes[j].outline)), 0);
+      EXPECT_LT(geometry::convex_overlap(geometry::convex_hull(field.floes[i].outline),
+                                         geometry::convex_hull(field.floes[j].outline)),
+                0);
 }
 
 TEST(Library, AsLibraryKeepsTheOutlinesSizes) {
   PackedSpec spec = library_spec(0.5);
   spec.distribution = SizeDistribution::as_library;
   for (const auto& floe : pack_field(spec).floes)
-    EXPECT_NEAR(polygon_moments(floe.outline).area, floe.outline.size() == 6 ? 4 : 1, 1e-12);
+    EXPECT_NEAR(geometry::polygon_moments(floe.outline).area, floe.outline.size() == 6 ? 4 : 1, 1e-12);
 }
 
 TEST(Library, AsLibraryWithoutOneIsRefused) {
@@ -138,4 +140,4 @@ TEST(Library, AsLibraryWithoutOneIsRefused) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::field

@@ -9,7 +9,7 @@
 #include "tests/support/refusal.h"
 #include "tests/support/scratch_folder.h"
 
-namespace nilas {
+namespace nilas::field {
 namespace {
 
 namespace fs = std::filesystem;
@@ -121,4 +121,4 @@ TEST_F(FieldFile, FaultsOfTheWholeFile) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::field

@@ -12,23 +12,23 @@
 namespace nilas::test {
 
 /// The largest overlap of two convex floes, or minus the smallest gap where none overlap [m].
-inline double deepest_overlap(const FieldResult& field) {
+inline double deepest_overlap(const field::FieldResult& field) {
   double deepest = -std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < field.floes.size(); ++i)
     for (std::size_t j = i + 1; j < field.floes.size(); ++j)
-      deepest = std::max(deepest, convex_overlap(field.floes[i].outline, field.floes[j].outline));
+      deepest = std::max(deepest, geometry::convex_overlap(field.floes[i].outline, field.floes[j].outline));
   return deepest;
 }
 
 /// The area of all floes [m^2].
-inline double ice_area(const FieldResult& field) {
+inline double ice_area(const field::FieldResult& field) {
   double area = 0;
-  for (const auto& floe : field.floes) area += polygon_moments(floe.outline).area;
+  for (const auto& floe : field.floes) area += geometry::polygon_moments(floe.outline).area;
   return area;
 }
 
 /// Expects that every floe lies inside the region.
-inline void expect_inside(const PackedSpec& spec, const FieldResult& field) {
+inline void expect_inside(const field::PackedSpec& spec, const field::FieldResult& field) {
   for (const auto& floe : field.floes)
     for (const Vec2& corner : floe.outline)
       EXPECT_TRUE((corner.array() >= spec.low.array()).all() && (corner.array() <= spec.high.array()).all());

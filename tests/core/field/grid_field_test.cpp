@@ -10,7 +10,7 @@
 #include "tests/support/mentions.h"
 #include "tests/support/refusal.h"
 
-namespace nilas {
+namespace nilas::field {
 namespace {
 
 GridSpec channel(int rows, int columns) {
@@ -40,7 +40,7 @@ TEST(GridField, RectanglesFillTheRegion) {
   const auto field = grid_field(spec);
   ASSERT_EQ(field.floes.size(), 60u);
   const double width = (6.7 - 9 * 0.013) / 10, height = (2.6 - 5 * 0.013) / 6;
-  for (const auto& floe : field.floes) EXPECT_NEAR(polygon_moments(floe.outline).area, width * height, 1e-12);
+  for (const auto& floe : field.floes) EXPECT_NEAR(geometry::polygon_moments(floe.outline).area, width * height, 1e-12);
   EXPECT_NEAR(field.concentration, 60 * width * height / (6.7 * 2.6), 1e-12);
   expect_apart(field, spec.gap);
 }
@@ -60,8 +60,8 @@ TEST(GridField, MirrorSymmetricBitForBit) {
 TEST(GridField, PiecesOfEvenRowsComeInMirrorPairs) {
   const auto field = grid_field(channel(4, 5));
   for (std::size_t i = 0; i < field.floes.size(); i += 2) {
-    const Vec2 upper = polygon_moments(field.floes[i].outline).centroid;
-    const Vec2 lower = polygon_moments(field.floes[i + 1].outline).centroid;
+    const Vec2 upper = geometry::polygon_moments(field.floes[i].outline).centroid;
+    const Vec2 lower = geometry::polygon_moments(field.floes[i + 1].outline).centroid;
     EXPECT_NEAR(upper.x(), lower.x(), 1e-12);
     EXPECT_NEAR(upper.y(), -lower.y(), 1e-12);
     EXPECT_GT(upper.y(), 0);
@@ -109,7 +109,7 @@ TEST(GridField, PiecesThatMeetTheHullAreLeftOutAndCounted) {
   EXPECT_GT(field.left_out, 0);
   EXPECT_EQ(field.floes.size() + static_cast<std::size_t>(field.left_out), 60u);
   for (const auto& floe : field.floes) {
-    EXPECT_LE(convex_overlap(floe.outline, spec.keep_out[0]), -0.0199);
+    EXPECT_LE(geometry::convex_overlap(floe.outline, spec.keep_out[0]), -0.0199);
     EXPECT_TRUE(holds_mirror_image(field, floe.outline));
   }
 }
@@ -129,4 +129,4 @@ TEST(GridField, WrongParametersAreNamed) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::field

@@ -8,7 +8,7 @@
 #include "tests/support/refusal.h"
 #include "tests/support/scratch_folder.h"
 
-namespace nilas {
+namespace nilas::field {
 namespace {
 
 class OutlineLibrary : public testing::Test {
@@ -49,4 +49,4 @@ TEST_F(OutlineLibrary, NamesTheOutlineAtFault) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::field

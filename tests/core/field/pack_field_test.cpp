@@ -11,7 +11,7 @@
 #include "tests/support/mentions.h"
 #include "tests/support/refusal.h"
 
-namespace nilas {
+namespace nilas::field {
 namespace {
 
 PackedSpec spec_of(double length, double width, double concentration, FloeShape shape = FloeShape::polygon) {
@@ -58,8 +58,8 @@ void expect_good(const PackedSpec& spec, const FieldResult& field) {
   EXPECT_EQ(field.left_out, 0);
   test::expect_inside(spec, field);
   for (const auto& floe : field.floes) {
-    EXPECT_TRUE(is_convex(floe.outline));
-    EXPECT_GT(polygon_moments(floe.outline).area, 0);
+    EXPECT_TRUE(geometry::is_convex(floe.outline));
+    EXPECT_GT(geometry::polygon_moments(floe.outline).area, 0);
   }
 }
 
@@ -104,7 +104,7 @@ TEST(PackField, PolygonsReachNinetyFivePercentWithTheirSizesAndCorners) {
   expect_good(spec, field);
   EXPECT_GT(field.fitted, static_cast<int>(field.floes.size()) / 2);
   for (const auto& floe : field.floes) {
-    const double size = std::sqrt(polygon_moments(floe.outline).area);
+    const double size = std::sqrt(geometry::polygon_moments(floe.outline).area);
     EXPECT_GE(size, spec.min * (1 - 1e-12));
     EXPECT_LE(size, spec.max * (1 + 1e-12));
     EXPECT_GE(static_cast<int>(floe.outline.size()), spec.vertices_min);
@@ -124,7 +124,7 @@ Moments size_moments(const FieldResult& field) {
   Moments m;
   double squares = 0;
   for (const auto& floe : field.floes) {
-    const double size = std::sqrt(polygon_moments(floe.outline).area);
+    const double size = std::sqrt(geometry::polygon_moments(floe.outline).area);
     m.mean += size;
     squares += size * size;
     m.smallest = std::min(m.smallest, size);
@@ -191,7 +191,7 @@ TEST(PackField, KeepsClearOfAHullOutline) {
   spec.keep_out = {{{2, 5.4}, {6, 5.4}, {8, 6}, {6, 6.6}, {2, 6.6}}};
   spec.keep_out_margin = 0.1;
   const auto field = pack_field(spec);
-  const double hull = polygon_moments(spec.keep_out[0]).area;
+  const double hull = geometry::polygon_moments(spec.keep_out[0]).area;
   double perimeter = 0;
   for (std::size_t i = 0; i < 5; ++i) perimeter += (spec.keep_out[0][(i + 1) % 5] - spec.keep_out[0][i]).norm();
   const double grown = hull + perimeter * 0.1 + k_pi * 0.01;
@@ -241,4 +241,4 @@ TEST(PackField, WrongParametersAreNamed) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::field

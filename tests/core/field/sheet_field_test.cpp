@@ -6,7 +6,7 @@
 #include "core/geometry/polygon.h"
 #include "tests/core/field/field_measures.h"
 
-namespace nilas {
+namespace nilas::field {
 namespace {
 
 const std::vector<Vec2> k_hull{{2, -0.5}, {5, -0.5}, {6, 0}, {5, 0.5}, {2, 0.5}};
@@ -26,7 +26,7 @@ TEST(Level, AHullThatReachesInLeavesABay) {
   for (auto& x : hull) x.x() -= 3;
   const FieldResult field = level_field(level_of({hull}));
   ASSERT_EQ(field.floes.size(), 1u);
-  EXPECT_FALSE(is_convex(field.floes[0].outline));
+  EXPECT_FALSE(geometry::is_convex(field.floes[0].outline));
   EXPECT_NEAR(test::ice_area(field), 80 - (k_hull_area - 1), 1e-12);
   EXPECT_NEAR(field.concentration, 1, 1e-12);
 }
@@ -44,8 +44,8 @@ TEST(Level, AHullInsideHasItsTrackOpenBehindIt) {
 TEST(Level, AHullAcrossPartsTheSheetInTwo) {
   const FieldResult field = level_field(level_of({{{-1, -0.5}, {11, -0.5}, {11, 1.5}, {-1, 1.5}}}));
   ASSERT_EQ(field.floes.size(), 2u);
-  EXPECT_NEAR(polygon_moments(field.floes[0].outline).area, 35, 1e-12);
-  EXPECT_NEAR(polygon_moments(field.floes[1].outline).area, 25, 1e-12);
+  EXPECT_NEAR(geometry::polygon_moments(field.floes[0].outline).area, 35, 1e-12);
+  EXPECT_NEAR(geometry::polygon_moments(field.floes[1].outline).area, 25, 1e-12);
 }
 
 TEST(Level, ACoveredRegionIsRefused) {
@@ -64,7 +64,7 @@ TEST(Channel, HasFloesBetweenFixedSheets) {
   const FieldResult field = channel_field(spec);
   double sheets = 0, broken = 0;
   for (const auto& floe : field.floes) {
-    (floe.fixed ? sheets : broken) += polygon_moments(floe.outline).area;
+    (floe.fixed ? sheets : broken) += geometry::polygon_moments(floe.outline).area;
     for (const Vec2& x : floe.outline) EXPECT_TRUE(floe.fixed ? std::abs(x.y()) >= 1 : std::abs(x.y()) < 1);
   }
   EXPECT_NEAR(sheets, 120, 1e-12);
@@ -84,10 +84,10 @@ TEST(Channel, ABroadHullCutsIntoTheSheets) {
   spec.ice.keep_out = {k_hull};
   double sheets = 0;
   for (const auto& floe : channel_field(spec).floes)
-    if (floe.fixed) sheets += polygon_moments(floe.outline).area;
+    if (floe.fixed) sheets += geometry::polygon_moments(floe.outline).area;
   const double beyond = 2 * (3 * 0.1 + 0.5 * 0.1 * 0.2);  // the hull's part outside the channel
   EXPECT_NEAR(sheets, 72 - beyond, 1e-12);
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::field

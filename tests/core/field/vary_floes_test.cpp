@@ -9,7 +9,7 @@
 #include "core/bodies/bodies.h"
 #include "core/field/sizes/distribution_statistics.h"
 
-namespace nilas {
+namespace nilas::field {
 namespace {
 
 constexpr double k_infinite = std::numeric_limits<double>::infinity();
@@ -121,10 +121,11 @@ class Texture : public testing::Test {
 TEST_F(Texture, GoesWithTheFloe) {
   FieldFloe floe = square_at({3, 4}, 2);
   const FloeTexture texture = variation_.draw(floe, "a", k_means)[0].texture;
-  Bodies bodies;
-  BodySpec spec;
-  spec.kind = BodyKind::floe;
-  spec.shape = std::make_shared<const Shape>(prism_shape(square_at({0, 0}, 2).outline, floe.thickness));
+  bodies::Bodies bodies;
+  bodies::BodySpec spec;
+  spec.kind = bodies::BodyKind::floe;
+  spec.shape =
+      std::make_shared<const geometry::Shape>(geometry::prism_shape(square_at({0, 0}, 2).outline, floe.thickness));
   spec.mass = 1;
   spec.pose.p = {3, 4, 0};
   bodies.add(spec);
@@ -153,7 +154,7 @@ TEST_F(Texture, TheBodyHasTheMeanOverItsArea) {
   FieldFloe floe;
   floe.outline = {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 3}, {0, 3}};
   const auto textures = variation_.draw(floe, "a", k_means);
-  const Vec2 centre = polygon_moments(floe.outline).centroid;
+  const Vec2 centre = geometry::polygon_moments(floe.outline).centroid;
   constexpr int k_per_metre = 50;
   for (const auto& textured : textures) {
     double sum = 0;
@@ -192,4 +193,4 @@ TEST_F(Texture, PointsFollowTheDistributionsAndTheirCorrelation) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::field

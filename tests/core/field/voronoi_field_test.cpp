@@ -10,7 +10,7 @@
 #include "tests/core/field/field_measures.h"
 #include "tests/support/refusal.h"
 
-namespace nilas {
+namespace nilas::field {
 namespace {
 
 PackedSpec spec_of(double concentration, std::uint64_t seed) {
@@ -24,7 +24,7 @@ PackedSpec spec_of(double concentration, std::uint64_t seed) {
 
 std::vector<double> sizes(const FieldResult& field) {
   std::vector<double> found;
-  for (const auto& floe : field.floes) found.push_back(std::sqrt(polygon_moments(floe.outline).area));
+  for (const auto& floe : field.floes) found.push_back(std::sqrt(geometry::polygon_moments(floe.outline).area));
   std::sort(found.begin(), found.end());
   return found;
 }
@@ -43,7 +43,7 @@ TEST_P(Voronoi, AreasFollowTheDistributionAndTheConcentrationIsExact) {
     const std::vector<double> found = sizes(field);
     ASSERT_EQ(found.size(), drawn.size());
     for (std::size_t i = 0; i < found.size(); ++i) EXPECT_NEAR(found[i] / drawn[i], found[0] / drawn[0], 1e-7);
-    for (const auto& floe : field.floes) EXPECT_TRUE(is_convex(floe.outline));
+    for (const auto& floe : field.floes) EXPECT_TRUE(geometry::is_convex(floe.outline));
   }
 }
 
@@ -67,12 +67,12 @@ TEST(Voronoi, FrozenFloesAreASheetWithSeams) {
   full.concentration = 1;
   const FieldResult cells = voronoi_field(full), frozen = frozen_field(spec, -Vec2::UnitX(), 0.4);
   ASSERT_EQ(frozen.floes.size(), 1u);
-  EXPECT_NEAR(polygon_moments(frozen.floes[0].outline).area, 180, 1e-9);
+  EXPECT_NEAR(geometry::polygon_moments(frozen.floes[0].outline).area, 180, 1e-9);
   double perimeters = 0, seams = 0;
   for (const FieldFloe& cell : cells.floes)
     for (std::size_t i = 0; i < cell.outline.size(); ++i)
       perimeters += (cell.outline[(i + 1) % cell.outline.size()] - cell.outline[i]).norm();
-  for (const WeakLine& line : frozen.weak_lines) {
+  for (const bodies::WeakLine& line : frozen.weak_lines) {
     ASSERT_EQ(line.points.size(), 2u);
     EXPECT_EQ(line.strength, 0.4);
     seams += (line.points[1] - line.points[0]).norm();
@@ -94,7 +94,7 @@ TEST(Voronoi, KeepsClearOfAHullOutlineAndSaysWhatFits) {
   spec.keep_out_margin = 0.05;
   const FieldResult field = voronoi_field(spec);
   EXPECT_NEAR(field.concentration, 0.95, 1e-9);
-  for (const auto& floe : field.floes) EXPECT_LT(convex_overlap(spec.keep_out[0], floe.outline), -0.049);
+  for (const auto& floe : field.floes) EXPECT_LT(geometry::convex_overlap(spec.keep_out[0], floe.outline), -0.049);
   spec.concentration = 1;
   test::expect_refusal([&] { voronoi_field(spec); }, {"leave room for about 0.9"});
 }
@@ -115,4 +115,4 @@ TEST(PowerDiagram, ASiteOutweighedHasNoCell) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::field

@@ -6,7 +6,7 @@
 #include "core/geometry/polygon.h"
 #include "tests/core/bodies/solids.h"
 
-namespace nilas {
+namespace nilas::geometry {
 namespace {
 
 /// Convex, counter-clockwise, over the outline's vertices, every outline edge used once, areas adding up.
@@ -41,8 +41,8 @@ TEST(ConvexPieces, AConvexOutlineIsItsOnlyPiece) {
 }
 
 TEST(ConvexPieces, AnLGivesTwo) {
-  EXPECT_EQ(convex_pieces(l_outline()).size(), 2u);
-  expect_partition(l_outline());
+  EXPECT_EQ(convex_pieces(bodies::l_outline()).size(), 2u);
+  expect_partition(bodies::l_outline());
 }
 
 /// A cut mends two hollows at most, so hollows / 2 + 1 pieces at least; Hertel and Mehlhorn's way gives at most
@@ -50,7 +50,7 @@ TEST(ConvexPieces, AnLGivesTwo) {
 /// gives arms + 1, so the fewest are no more.
 TEST(ConvexPieces, RegularStars) {
   for (const int arms : {3, 4, 5, 9, 12, 13, 40}) {
-    const auto outline = star_outline(arms, 2, 0.7);
+    const auto outline = bodies::star_outline(arms, 2, 0.7);
     expect_partition(outline);
     const int pieces = static_cast<int>(convex_pieces(outline).size());
     EXPECT_GE(pieces, (arms + 1) / 2 + 1);
@@ -60,7 +60,7 @@ TEST(ConvexPieces, RegularStars) {
 
 TEST(ConvexPieces, ThousandRandomStars) {
   RandomStream random(2024, "stars");
-  for (int i = 0; i < 1000; ++i) expect_partition(random_star_polygon(random));
+  for (int i = 0; i < 1000; ++i) expect_partition(bodies::random_star_polygon(random));
 }
 
 /// Teeth cut back, as crushed edges leave them; also straight runs and cuts that meet straight vertices.
@@ -84,8 +84,8 @@ TEST(ConvexPieces, RoundedStraightVerticesAddNoPieces) {
   for (int i = 0; i < 100; ++i) {
     const Eigen::Rotation2Dd R(random.uniform(0, 2 * k_pi));
     std::vector<Vec2> outline;
-    for (std::size_t k = 0; k < l_outline().size(); ++k) {
-      const Vec2 &a = l_outline()[k], &b = l_outline()[(k + 1) % l_outline().size()];
+    for (std::size_t k = 0; k < bodies::l_outline().size(); ++k) {
+      const Vec2 &a = bodies::l_outline()[k], &b = bodies::l_outline()[(k + 1) % bodies::l_outline().size()];
       for (const double s : {0.0, 0.3, 0.7}) outline.push_back(R * (a + s * (b - a)) + Vec2(17, -3));
     }
     EXPECT_EQ(convex_pieces(outline).size(), 2u);
@@ -101,4 +101,4 @@ TEST(ConvexPieces, WrongOutlinesAreRefused) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::geometry

@@ -14,7 +14,7 @@
 #include "tests/support/random_vectors.h"
 #include "tests/support/tetrahedron.h"
 
-namespace nilas {
+namespace nilas::geometry {
 namespace {
 
 constexpr double k_exact = 1e-12;  // of the largest entry
@@ -80,7 +80,7 @@ TEST(PolygonMoments, RightTriangle) {
 
 /// L of two rectangles: parallel-axis sums.
 TEST(PolygonMoments, ConcaveL) {
-  const PolygonMoments m = polygon_moments(l_outline());
+  const PolygonMoments m = polygon_moments(bodies::l_outline());
   // 3 x 1 about (1.5, 0.5) and 1 x 3 about (0.5, 2.5)
   EXPECT_NEAR(m.area, 6, k_exact);
   EXPECT_NEAR((m.centroid - Vec2(1, 1.5)).norm(), 0, k_exact);
@@ -94,7 +94,7 @@ TEST(PolygonMoments, ConcaveL) {
 TEST(PolygonMoments, RegularStar) {
   const double R = 2, r = 0.7;
   for (const int k : {3, 5, 8}) {
-    const PolygonMoments m = polygon_moments(star_outline(k, R, r));
+    const PolygonMoments m = polygon_moments(bodies::star_outline(k, R, r));
     const double area = k * R * r * std::sin(k_pi / k);
     const double polar = area / 6 * (R * R + R * r * std::cos(k_pi / k) + r * r);
     EXPECT_NEAR(m.area, area, k_exact * area);
@@ -106,9 +106,9 @@ TEST(PolygonMoments, RegularStar) {
 }
 
 TEST(PolygonMoments, ClockwiseTurnsEverySign) {
-  auto outline = l_outline();
+  auto outline = bodies::l_outline();
   std::reverse(outline.begin(), outline.end());
-  const PolygonMoments m = polygon_moments(outline), straight = polygon_moments(l_outline());
+  const PolygonMoments m = polygon_moments(outline), straight = polygon_moments(bodies::l_outline());
   EXPECT_EQ(m.area, -straight.area);
   EXPECT_NEAR((m.centroid - straight.centroid).norm(), 0, k_exact);
   EXPECT_NEAR(m.xx, -straight.xx, k_exact);
@@ -116,8 +116,8 @@ TEST(PolygonMoments, ClockwiseTurnsEverySign) {
 
 /// A floe far along a long tank: binary steps of the offset keep the outline exact, so the moments must stay.
 TEST(PolygonMoments, FarOffOutlinesLoseNoDigits) {
-  const PolygonMoments near = polygon_moments(l_outline());
-  auto outline = l_outline();
+  const PolygonMoments near = polygon_moments(bodies::l_outline());
+  auto outline = bodies::l_outline();
   for (auto& p : outline) p += Vec2(65536, -32768);
   const PolygonMoments far = polygon_moments(outline);
   EXPECT_NEAR(far.area, near.area, k_exact * near.area);
@@ -133,8 +133,8 @@ TEST(MassProperties, PrismOfARectangleIsABox) {
 
 TEST(MassProperties, MeshesOfPrismsAgreeWithTheClosedForm) {
   RandomStream random(7, "outlines");
-  std::vector<std::vector<Vec2>> outlines{l_outline(), star_outline(5, 2, 0.7)};
-  for (int i = 0; i < 50; ++i) outlines.push_back(random_star_polygon(random));
+  std::vector<std::vector<Vec2>> outlines{bodies::l_outline(), bodies::star_outline(5, 2, 0.7)};
+  for (int i = 0; i < 50; ++i) outlines.push_back(bodies::random_star_polygon(random));
   for (const auto& raw : outlines) {
     const auto outline = test::about_centroid(raw);
     const double thickness = 0.3;
@@ -144,10 +144,10 @@ TEST(MassProperties, MeshesOfPrismsAgreeWithTheClosedForm) {
 }
 
 TEST(MassProperties, PrismKeepsTheOffsetOfItsOutline) {
-  const MassProperties p = prism_properties(l_outline(), 0.5, 800);
+  const MassProperties p = prism_properties(bodies::l_outline(), 0.5, 800);
   EXPECT_NEAR(p.mass, 2400, k_exact * 2400);
   EXPECT_NEAR((p.com - Vec3(1, 1.5, 0)).norm(), 0, k_exact);
-  EXPECT_NEAR(p.inertia(0, 1), -400 * polygon_moments(l_outline()).xy, 1e-9);
+  EXPECT_NEAR(p.inertia(0, 1), -400 * polygon_moments(bodies::l_outline()).xy, 1e-9);
 }
 
 /// Corner tetrahedron with legs a, b, c: m = rho a b c / 6, com at a quarter, and about the com
@@ -171,7 +171,7 @@ TEST(MassProperties, Octahedron) {
   MassProperties expected;
   expected.mass = m;
   expected.inertia = m * r * r / 5 * Mat3::Identity();
-  expect_equal(mesh_properties(moved(octahedron(), r * Mat3::Identity(), Vec3::Zero()), 500), expected);
+  expect_equal(mesh_properties(bodies::moved(bodies::octahedron(), r * Mat3::Identity(), Vec3::Zero()), 500), expected);
 }
 
 /// The facets' error falls with the square of their size; extrapolated it vanishes to fourth order.
@@ -180,7 +180,7 @@ TEST(MassProperties, SphereMeshesTendToTheSphere) {
   const MassProperties exact = sphere_properties(r, volume);
   double before = 0;
   for (const int levels : {3, 4, 5}) {
-    const MassProperties p = mesh_properties(sphere_mesh(r, levels), 1);
+    const MassProperties p = mesh_properties(bodies::sphere_mesh(r, levels), 1);
     const double error = 1 - p.mass / exact.mass;
     EXPECT_LT(p.com.norm(), k_exact);
     EXPECT_NEAR(p.inertia(0, 0), p.inertia(2, 2), k_exact);
@@ -190,7 +190,7 @@ TEST(MassProperties, SphereMeshesTendToTheSphere) {
     }
     before = error;
   }
-  EXPECT_NEAR(mesh_properties(sphere_mesh(r, 5), 1).inertia(0, 0) / exact.inertia(0, 0), 1, 3e-3);
+  EXPECT_NEAR(mesh_properties(bodies::sphere_mesh(r, 5), 1).inertia(0, 0) / exact.inertia(0, 0), 1, 3e-3);
 }
 
 /// Regular n-gon prisms: exact polar moment m R^2 (2 + cos(2 pi/n)) / 6, tending to the cylinder's m R^2 / 2.
@@ -224,7 +224,7 @@ TEST(MassProperties, CylinderIsTheLimitOfFlatAndSlender) {
 /// Turned and moved mesh: I' = R I R^T, com' = R com + p, whatever the place of the origin.
 TEST(MassProperties, MovedMeshesKeepTheirInertia) {
   RandomStream random(3, "attitudes");
-  const TriangleMesh mesh = prism_shape(test::about_centroid(l_outline()), 0.7).surface;
+  const TriangleMesh mesh = prism_shape(test::about_centroid(bodies::l_outline()), 0.7).surface;
   const MassProperties here = mesh_properties(mesh, 900);
   for (int i = 0; i < 20; ++i) {
     const Mat3 R = test::random_attitude(random).toRotationMatrix();
@@ -232,18 +232,18 @@ TEST(MassProperties, MovedMeshesKeepTheirInertia) {
     MassProperties expected = here;
     expected.com = R * here.com + p;
     expected.inertia = R * here.inertia * R.transpose();
-    expect_equal(mesh_properties(moved(mesh, R, p), 900), expected);
+    expect_equal(mesh_properties(bodies::moved(mesh, R, p), 900), expected);
     EXPECT_TRUE(physically_valid_inertia(expected.inertia));
   }
 }
 
 TEST(MassProperties, WrongSolidsBreakTheContract) {
-  TriangleMesh inward = octahedron();
+  TriangleMesh inward = bodies::octahedron();
   for (auto& t : inward.triangles) std::swap(t[0], t[1]);
   EXPECT_THROW(mesh_properties(inward, 1), ContractError);
   EXPECT_THROW(mesh_properties({}, 1), ContractError);
   EXPECT_THROW(prism_properties({{0, 0}, {0, 1}, {1, 0}}, 1, 1), ContractError);
-  EXPECT_THROW(prism_properties(l_outline(), 0, 1), ContractError);
+  EXPECT_THROW(prism_properties(bodies::l_outline(), 0, 1), ContractError);
   EXPECT_THROW(box_properties({1, -1, 1}, 1), ContractError);
   EXPECT_THROW(sphere_properties(1, std::nan("")), ContractError);
 }
@@ -266,4 +266,4 @@ TEST(PhysicallyValidInertia, TriangleInequalityAndSigns) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::geometry

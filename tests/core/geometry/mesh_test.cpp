@@ -7,7 +7,7 @@
 #include "tests/core/bodies/solids.h"
 #include "tests/support/tetrahedron.h"
 
-namespace nilas {
+namespace nilas::geometry {
 namespace {
 
 TriangleMesh box_mesh() { return box_shape({2, 3, 4}).surface; }
@@ -99,7 +99,8 @@ TEST(MeshDefects, TrianglesWithoutAreaAreCountedAndDoNotOpenTheSurface) {
 }
 
 TEST(RoundedToFloat, RoundsEveryCoordinate) {
-  const TriangleMesh rounded = rounded_to_float(moved(octahedron(), 0.1 * Mat3::Identity(), {0.2, 0.3, 0.7}));
+  const TriangleMesh rounded =
+      rounded_to_float(bodies::moved(bodies::octahedron(), 0.1 * Mat3::Identity(), {0.2, 0.3, 0.7}));
   for (const auto& p : rounded.vertices)
     for (const double x : p) EXPECT_EQ(x, static_cast<double>(static_cast<float>(x)));
   EXPECT_EQ(rounded.vertices[2].z(), static_cast<double>(static_cast<float>(0.1 + 0.7)));
@@ -114,4 +115,4 @@ TEST(MeshDefects, AVertexThatIsNotThereBreaksTheContract) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::geometry

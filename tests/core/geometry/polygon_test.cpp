@@ -6,7 +6,7 @@
 #include "core/geometry/orientation.h"
 #include "tests/core/bodies/solids.h"
 
-namespace nilas {
+namespace nilas::geometry {
 namespace {
 
 const std::vector<Vec2> k_square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
@@ -35,9 +35,9 @@ TEST(Orientation, IsExactNearTheLine) {
 
 TEST(IsSimple, PlainOutlines) {
   EXPECT_TRUE(is_simple(k_square));
-  EXPECT_TRUE(is_simple(l_outline()));
+  EXPECT_TRUE(is_simple(bodies::l_outline()));
   EXPECT_TRUE(is_simple({{0, 0}, {0.5, 0}, {1, 0}, {1, 1}}));  // a straight vertex
-  auto clockwise = l_outline();
+  auto clockwise = bodies::l_outline();
   std::reverse(clockwise.begin(), clockwise.end());
   EXPECT_TRUE(is_simple(clockwise));
   EXPECT_TRUE(is_simple({{0, 0}, {1, 0}, {1, 1e-9}, {0, 1}}));                   // a nanometre's edge on a metre's floe
@@ -69,13 +69,13 @@ TEST(IsClockwise, IsExactOnSlivers) {
       rounded_wrong += (polygon_moments(sliver).area < 0) != (j < i);
     }
   EXPECT_GT(rounded_wrong, 10);
-  EXPECT_FALSE(is_clockwise(l_outline()));
+  EXPECT_FALSE(is_clockwise(bodies::l_outline()));
 }
 
 TEST(IsConvex, TellsConvexFromConcave) {
   EXPECT_TRUE(is_convex(k_square));
-  EXPECT_FALSE(is_convex(l_outline()));
-  EXPECT_FALSE(is_convex(star_outline(5, 2, 0.7)));
+  EXPECT_FALSE(is_convex(bodies::l_outline()));
+  EXPECT_FALSE(is_convex(bodies::star_outline(5, 2, 0.7)));
   std::vector<Vec2> pentagram;  // turns left everywhere, but twice around
   for (int i = 0; i < 5; ++i) pentagram.emplace_back(std::cos(4 * k_pi * i / 5), std::sin(4 * k_pi * i / 5));
   EXPECT_FALSE(is_convex(pentagram));
@@ -95,19 +95,19 @@ TEST(IsConvex, RoundedStraightVerticesStayStraight) {
 
 TEST(Contains, InsideOutsideAndBoundary) {
   for (const Vec2& inside : {Vec2(0.5, 0.5), Vec2(0.5, 3.9), Vec2(2.9, 0.1), Vec2(0.999, 1.001)})
-    EXPECT_TRUE(contains(l_outline(), inside)) << inside.transpose();
+    EXPECT_TRUE(contains(bodies::l_outline(), inside)) << inside.transpose();
   for (const Vec2& outside : {Vec2(1.001, 1.001), Vec2(2, 2), Vec2(-1, 0), Vec2(-1, 1), Vec2(5, 1), Vec2(-1, 4)})
-    EXPECT_FALSE(contains(l_outline(), outside)) << outside.transpose();
-  for (std::size_t i = 0; i < l_outline().size(); ++i) {
-    const Vec2 &a = l_outline()[i], &b = l_outline()[(i + 1) % l_outline().size()];
-    for (const double s : {0.0, 0.25, 0.5}) EXPECT_TRUE(contains(l_outline(), a + s * (b - a)));
+    EXPECT_FALSE(contains(bodies::l_outline(), outside)) << outside.transpose();
+  for (std::size_t i = 0; i < bodies::l_outline().size(); ++i) {
+    const Vec2 &a = bodies::l_outline()[i], &b = bodies::l_outline()[(i + 1) % bodies::l_outline().size()];
+    for (const double s : {0.0, 0.25, 0.5}) EXPECT_TRUE(contains(bodies::l_outline(), a + s * (b - a)));
   }
 }
 
 /// Share of points inside a random star equals its area share (5 standard deviations).
 TEST(Contains, CountsTheArea) {
   RandomStream random(5, "points");
-  const auto outline = random_star_polygon(random);
+  const auto outline = bodies::random_star_polygon(random);
   const int samples = 20000;
   int inside = 0;
   for (int i = 0; i < samples; ++i) {
@@ -164,4 +164,4 @@ TEST(ConvexOverlap, DoesNotDependOnTheFrame) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::geometry

@@ -9,7 +9,7 @@
 #include "tests/support/random_vectors.h"
 #include "tests/support/refusal.h"
 
-namespace nilas {
+namespace nilas::geometry {
 namespace {
 
 /// Sum over faces of offset times area / 3.
@@ -84,12 +84,12 @@ TEST(Polytope, DegeneratePrismsBreakTheContract) {
 /// corners.
 TEST(MakePolytope, FineTrianglesOfABoxMergeToSixFaces) {
   TriangleMesh mesh = box_shape({4, 1.5, 0.7}).surface;
-  for (int level = 0; level < 4; ++level) mesh = subdivided(mesh);
+  for (int level = 0; level < 4; ++level) mesh = bodies::subdivided(mesh);
   ASSERT_EQ(mesh.triangles.size(), 3072u);
   RandomStream random(1, "attitudes");
   for (int i = 0; i < 20; ++i) {
     const Vec3 shift(random.uniform(-2, 2), random.uniform(-2, 2), random.uniform(-2, 2));
-    const TriangleMesh placed = moved(mesh, test::random_attitude(random).toRotationMatrix(), shift);
+    const TriangleMesh placed = bodies::moved(mesh, test::random_attitude(random).toRotationMatrix(), shift);
     const ConvexPolytope p = make_polytope(rounded_to_float(placed), 4e-5);
     EXPECT_EQ(p.faces.size(), 6u);
     EXPECT_EQ(p.vertices.size(), 8u);
@@ -104,9 +104,9 @@ TEST(MakePolytope, ManySidedPrismsMergeToo) {
   std::vector<Vec2> outline;
   for (int i = 0; i < 40; ++i) outline.emplace_back(1.2 * std::cos(k_pi * i / 20), 0.8 * std::sin(k_pi * i / 20));
   TriangleMesh mesh = prism_shape(outline, 0.5).surface;
-  for (int level = 0; level < 2; ++level) mesh = subdivided(mesh);
+  for (int level = 0; level < 2; ++level) mesh = bodies::subdivided(mesh);
   for (int i = 0; i < 10; ++i) {
-    const TriangleMesh placed = moved(mesh, test::random_attitude(random).toRotationMatrix(), {0.3, -0.2, 0.5});
+    const TriangleMesh placed = bodies::moved(mesh, test::random_attitude(random).toRotationMatrix(), {0.3, -0.2, 0.5});
     const ConvexPolytope p = make_polytope(rounded_to_float(placed), 2e-5);
     EXPECT_EQ(p.faces.size(), 42u);
     EXPECT_EQ(p.vertices.size(), 80u);
@@ -117,7 +117,7 @@ TEST(MakePolytope, ManySidedPrismsMergeToo) {
 
 /// Faces of a smooth hull stay triangles: 8192 of them, quick enough to build at the start of a run.
 TEST(MakePolytope, SphereKeepsItsTriangles) {
-  const TriangleMesh mesh = rounded_to_float(sphere_mesh(1.5, 5));
+  const TriangleMesh mesh = rounded_to_float(bodies::sphere_mesh(1.5, 5));
   ASSERT_EQ(mesh.triangles.size(), 8192u);
   const auto start = std::chrono::steady_clock::now();
   const ConvexPolytope p = make_polytope(mesh, 2e-5);
@@ -131,7 +131,7 @@ TEST(MakePolytope, SphereKeepsItsTriangles) {
 /// Where the mesh is finer than the tolerance can tell from flat, whatever merges must stay convex and keep the volume.
 TEST(MakePolytope, CoarseTolerancesKeepTheVolume) {
   for (const double tolerance : {1e-4, 1e-3, 1e-2}) {
-    const TriangleMesh mesh = sphere_mesh(1, 4);
+    const TriangleMesh mesh = bodies::sphere_mesh(1, 4);
     const ConvexPolytope p = make_polytope(mesh, tolerance);
     expect_consistent(p, tolerance);
     EXPECT_NEAR(volume(p), signed_volume(mesh), 4 * k_pi * tolerance);
@@ -154,8 +154,8 @@ TEST(MakePolytope, SliversJoinTheirNeighbours) {
   }
   RandomStream random(8, "attitudes");
   for (int i = 0; i < 10; ++i) {
-    const ConvexPolytope p =
-        make_polytope(rounded_to_float(moved(mesh, test::random_attitude(random).toRotationMatrix(), {1, 1, 1})), 2e-5);
+    const ConvexPolytope p = make_polytope(
+        rounded_to_float(bodies::moved(mesh, test::random_attitude(random).toRotationMatrix(), {1, 1, 1})), 2e-5);
     EXPECT_EQ(p.faces.size(), 6u);
     EXPECT_EQ(p.vertices.size(), 8u);
     EXPECT_NEAR(volume(p), 2, 1e-6);
@@ -163,14 +163,14 @@ TEST(MakePolytope, SliversJoinTheirNeighbours) {
 }
 
 TEST(MakePolytope, ConcaveSurfacesAreRefused) {
-  const TriangleMesh l = prism_shape(test::about_centroid(l_outline()), 0.5).surface;
+  const TriangleMesh l = prism_shape(test::about_centroid(bodies::l_outline()), 0.5).surface;
   test::expect_refusal([&] { make_polytope(l, 1e-5); }, {"not convex"});
 }
 
 /// A hollow of 1 mm spread over many fine triangles bends by less than the tolerance at every single edge.
 TEST(MakePolytope, AGentleHollowInAFineMeshIsRefused) {
   TriangleMesh mesh = box_shape({1, 1, 1}).surface;
-  for (int level = 0; level < 5; ++level) mesh = subdivided(mesh);
+  for (int level = 0; level < 5; ++level) mesh = bodies::subdivided(mesh);
   const TriangleMesh flat = mesh;
   for (auto& p : mesh.vertices)
     if (p.z() == 0.5) p.z() -= 1e-3 * std::pow(std::cos(k_pi * p.x()) * std::cos(k_pi * p.y()), 2);
@@ -179,7 +179,7 @@ TEST(MakePolytope, AGentleHollowInAFineMeshIsRefused) {
 }
 
 TEST(MakePolytope, UnsoundSurfacesAreRefused) {
-  TriangleMesh open = octahedron(), inward = octahedron();
+  TriangleMesh open = bodies::octahedron(), inward = bodies::octahedron();
   open.triangles.pop_back();
   for (auto& t : inward.triangles) std::swap(t[0], t[1]);
   EXPECT_THROW(make_polytope(open, 1e-6), InputError);
@@ -188,10 +188,10 @@ TEST(MakePolytope, UnsoundSurfacesAreRefused) {
 }
 
 TEST(MakePolytope, AWeldedTriangleWithoutEdgesIsLeftOut) {
-  TriangleMesh mesh = octahedron();
+  TriangleMesh mesh = bodies::octahedron();
   mesh.triangles.push_back({1, 1, 2});
   EXPECT_EQ(make_polytope(mesh, 1e-6).faces.size(), 8u);
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::geometry

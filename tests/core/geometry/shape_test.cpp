@@ -7,7 +7,7 @@
 #include "tests/core/bodies/solids.h"
 #include "tests/support/about_centroid.h"
 
-namespace nilas {
+namespace nilas::geometry {
 namespace {
 
 double parts_volume(const Shape& shape) {
@@ -23,8 +23,8 @@ double parts_volume(const Shape& shape) {
 
 TEST(PrismShape, PartsAndSurfaceFillTheFloe) {
   RandomStream random(12, "floes");
-  std::vector<std::vector<Vec2>> outlines{l_outline(), star_outline(6, 2, 0.7)};
-  for (int i = 0; i < 100; ++i) outlines.push_back(random_star_polygon(random));
+  std::vector<std::vector<Vec2>> outlines{bodies::l_outline(), bodies::star_outline(6, 2, 0.7)};
+  for (int i = 0; i < 100; ++i) outlines.push_back(bodies::random_star_polygon(random));
   for (const auto& raw : outlines) {
     const auto outline = test::about_centroid(raw);
     const Shape shape = prism_shape(outline, 0.25);
@@ -78,7 +78,7 @@ TEST(PrismShape, ANeedleHasNoPart) {
 }
 
 TEST(PrismShape, WrongFloesAreRefused) {
-  EXPECT_THROW(prism_shape(l_outline(), 0), ContractError);
+  EXPECT_THROW(prism_shape(bodies::l_outline(), 0), ContractError);
   EXPECT_THROW(prism_shape({{0, 0}, {1, 1}, {1, 0}, {0, 1}}, 1), InputError);
 }
 
@@ -116,14 +116,14 @@ TEST(OtherShapes, SphereAndPlane) {
 }
 
 TEST(MeshShape, BoundsSurfaceAndParts) {
-  const TriangleMesh surface = moved(octahedron(), Mat3::Identity(), {2, 0, 0});
+  const TriangleMesh surface = bodies::moved(bodies::octahedron(), Mat3::Identity(), {2, 0, 0});
   const Shape shape = mesh_shape(surface, {make_box({1, 1, 1})});
   EXPECT_EQ(shape.kind, ShapeKind::mesh);
   EXPECT_EQ(shape.bounding_radius, 3);
   EXPECT_EQ(shape.surface.triangles.size(), 8u);
   EXPECT_EQ(shape.parts.size(), 1u);
-  EXPECT_DOUBLE_EQ(mesh_shape(octahedron(), {make_box({4, 4, 4})}).bounding_radius, std::sqrt(12));
+  EXPECT_DOUBLE_EQ(mesh_shape(bodies::octahedron(), {make_box({4, 4, 4})}).bounding_radius, std::sqrt(12));
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::geometry

@@ -14,7 +14,7 @@
 #include "tests/support/scratch_folder.h"
 #include "tests/support/tetrahedron.h"
 
-namespace nilas {
+namespace nilas::geometry {
 namespace {
 
 namespace fs = std::filesystem;
@@ -55,7 +55,7 @@ void expect_same(const TriangleMesh& a, const TriangleMesh& b) {
 }
 
 TEST_F(Stl, BinaryRoundTripGivesTheRoundedMesh) {
-  const TriangleMesh mesh = moved(sphere_mesh(1.7, 3), Mat3::Identity(), {0.1, 0.2, 0.3});
+  const TriangleMesh mesh = bodies::moved(bodies::sphere_mesh(1.7, 3), Mat3::Identity(), {0.1, 0.2, 0.3});
   const std::string bytes = binary(mesh);
   EXPECT_EQ(bytes.size(), 84 + 50 * mesh.triangles.size());
   const TriangleMesh read = read_stl(write(bytes));
@@ -72,7 +72,7 @@ TEST_F(Stl, WrittenNormalsAreThoseOfTheWinding) {
 }
 
 TEST_F(Stl, TextKeepsDoublePrecision) {
-  const TriangleMesh mesh = moved(sphere_mesh(1.7, 2), Mat3::Identity(), {0.1, 0.2, 0.3});
+  const TriangleMesh mesh = bodies::moved(bodies::sphere_mesh(1.7, 2), Mat3::Identity(), {0.1, 0.2, 0.3});
   expect_same(read_stl(write(text_of(mesh))), mesh);
 }
 
@@ -170,13 +170,15 @@ TEST_F(Stl, FaultsOfTextNameTheLine) {
 TEST_F(Stl, FilesThatCannotBeOpened) {
   EXPECT_THROW(read_stl(folder_ / "absent.stl"), FileError);
   EXPECT_THROW(read_stl(folder_.path()), FileError);
-  EXPECT_THROW(write_stl(octahedron(), folder_ / "absent" / "mesh.stl"), FileError);
-  EXPECT_THROW(write_stl(octahedron(), "/dev/full"), FileError);
+  EXPECT_THROW(write_stl(bodies::octahedron(), folder_ / "absent" / "mesh.stl"), FileError);
+  EXPECT_THROW(write_stl(bodies::octahedron(), "/dev/full"), FileError);
 }
 
 TEST_F(Stl, CoordinatesBeyondFloatAreNotWritten) {
-  EXPECT_THROW(write_stl(moved(octahedron(), 1e39 * Mat3::Identity(), Vec3::Zero()), folder_ / "big.stl"), InputError);
+  EXPECT_THROW(
+      write_stl(bodies::moved(bodies::octahedron(), 1e39 * Mat3::Identity(), Vec3::Zero()), folder_ / "big.stl"),
+      InputError);
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::geometry

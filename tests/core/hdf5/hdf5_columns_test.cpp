@@ -6,7 +6,7 @@
 #include "tests/support/scratch_folder.h"
 #include "tests/support/size_limit.h"
 
-namespace nilas {
+namespace nilas::hdf5 {
 namespace {
 
 using test::ScratchFolder;
@@ -137,4 +137,4 @@ TEST(Hdf5Columns, AFolderThatIsNotThereIsAFileError) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::hdf5

@@ -8,6 +8,7 @@
 namespace {
 
 using namespace nilas;
+using namespace nilas::hull;
 using namespace nilas_test;
 
 /// The 24 rotations that put the axes of a frame along those of another.
@@ -44,11 +45,11 @@ std::ostream& operator<<(std::ostream& out, const Judged& j) {
              << j.doubted << ", missed " << j.missed;
 }
 
-Judged judged(const TriangleMesh& hull, bool fixed) {
+Judged judged(const geometry::TriangleMesh& hull, bool fixed) {
   Judged found;
   const HullMeasures should = measure_hull(hull);
   for (const MeshAxes& attitude : all_attitudes()) {
-    const TriangleMesh mesh = turned(hull, attitude);
+    const geometry::TriangleMesh mesh = turned(hull, attitude);
     const HullAttitude told = probable_attitude(mesh, fixed);
     const bool right = alike(should, measure_hull(mesh));
     if (right)
@@ -63,7 +64,7 @@ Judged judged(const TriangleMesh& hull, bool fixed) {
 
 struct Kind {
   const char* name;
-  TriangleMesh hull;
+  geometry::TriangleMesh hull;
   Judged expected;
 };
 
@@ -76,7 +77,7 @@ TEST(HullAttitude, ShipsAreCuredInAllAttitudes) {
   const Judged all{.right = 1, .cured = 23};
   expect_judged({{"coaster", coaster(), all},
                  {"icebreaker", generated("icebreaker"), all},
-                 {"hollow entrance", ship_mesh(30, 6), all},
+                 {"hollow entrance", mesh::ship_mesh(30, 6), all},
                  {"planing boat", planing_boat(), all},
                  {"yacht", yacht(), all},
                  {"catamaran", catamaran(), all},
@@ -92,34 +93,35 @@ TEST(HullAttitude, WhereBowOrDeckCannotBeToldTheAxesStillAre) {
                  // upright walls: on end they are piers, upside down they are the same
                  {"wedge", generated("wedge"), {.right = 2, .cured = 14, .missed = 8}},
                  {"raked barge", raked_barge(), {.right = 2, .cured = 18, .missed = 4}},
-                 {"box", box_mesh({0, -10, 0}, {100, 10, 9}), {.right = 4, .cured = 12, .missed = 8}},
-                 {"moonpool", moonpool_mesh(), {.right = 4, .cured = 12, .missed = 8}}});
+                 {"box", mesh::box_mesh({0, -10, 0}, {100, 10, 9}), {.right = 4, .cured = 12, .missed = 8}},
+                 {"moonpool", mesh::moonpool_mesh(), {.right = 4, .cured = 12, .missed = 8}}});
 }
 
 TEST(HullAttitude, StructuresThatAreRoundOrSquareMayLieAsTheyDo) {
-  expect_judged({{"cube", box_mesh({0, 0, 0}, {1, 1, 1}), {.right = 24}},
-                 {"sphere", bulb_mesh({0, 0, 0}, {1, 1, 1}, 16), {.right = 24}},
+  expect_judged({{"cube", mesh::box_mesh({0, 0, 0}, {1, 1, 1}), {.right = 24}},
+                 {"sphere", mesh::bulb_mesh({0, 0, 0}, {1, 1, 1}, 16), {.right = 24}},
                  {"semi-submersible", semisubmersible(), {.right = 4, .cured = 8, .missed = 12}}});
 }
 
 /// Further solids that may be intended as they lie.
 TEST(HullAttitude, NothingThatMayBeMeantIsDoubted) {
-  const std::vector<std::pair<const char*, TriangleMesh>> meant{
-      {"column", column_mesh({0, 0, 0}, 1, 10, 24)},
-      {"cone, point down", cone_mesh(1, 1.5, 24)},
+  const std::vector<std::pair<const char*, geometry::TriangleMesh>> meant{
+      {"column", mesh::column_mesh({0, 0, 0}, 1, 10, 24)},
+      {"cone, point down", mesh::cone_mesh(1, 1.5, 24)},
       {"cone, wide at the foot", cone_foundation(20, 8, 15)},
       {"round buoy", cone_foundation(8, 20, 15)},
       {"pontoons and columns", pontoons_and_columns()},
       {"pier", prism({{-6, -2}, {6, -2}, {8, 0}, {6, 2}, {-6, 2}, {-8, 0}}, 20)},
       {"pier with a nose", prism({{-6, -2}, {6, -2}, {9, 0}, {6, 2}, {-6, 2}}, 12)},
       {"oblique hull", prism({{0, -5}, {40, -5}, {52, -2}, {40, 6}, {0, 5}}, 6)},
-      {"barge with deckhouse", together({box_mesh({0, -8, 0}, {60, 8, 4}), box_mesh({2, -6, 4}, {14, 6, 14})})},
-      {"island to starboard", together({coaster(), box_mesh({40, -10, 9}, {60, -6, 25})})},
+      {"barge with deckhouse",
+       together({mesh::box_mesh({0, -8, 0}, {60, 8, 4}), mesh::box_mesh({2, -6, 4}, {14, 6, 14})})},
+      {"island to starboard", together({coaster(), mesh::box_mesh({40, -10, 9}, {60, -6, 25})})},
       {"broad wedge to push with", prism({{0, -2}, {1, 0}, {0, 2}}, 1)},
-      {"flat barge", box_mesh({0, -5, 0}, {12, 5, 0.4})},
-      {"barge.stl", read_stl(NILAS_SOURCE_DIR "/apps/scenes/verify/barge.stl")},
-      {"wedge.stl", read_stl(NILAS_SOURCE_DIR "/apps/scenes/verify/wedge.stl")},
-      {"hulls/icebreaker", read_stl(NILAS_SOURCE_DIR "/apps/scenes/hulls/icebreaker/fluid.stl")}};
+      {"flat barge", mesh::box_mesh({0, -5, 0}, {12, 5, 0.4})},
+      {"barge.stl", geometry::read_stl(NILAS_SOURCE_DIR "/apps/scenes/verify/barge.stl")},
+      {"wedge.stl", geometry::read_stl(NILAS_SOURCE_DIR "/apps/scenes/verify/wedge.stl")},
+      {"hulls/icebreaker", geometry::read_stl(NILAS_SOURCE_DIR "/apps/scenes/hulls/icebreaker/fluid.stl")}};
   for (const auto& [name, mesh] : meant)
     for (const bool fixed : {false, true})
       EXPECT_TRUE(probable_attitude(mesh, fixed).as_it_should()) << name << (fixed ? ", fixed" : "");
@@ -133,7 +135,7 @@ TEST(HullAttitude, NoGeneratedFormIsDoubted) {
         for (const double bow : {0.1, 0.5})
           for (const double beam : {0.1, 0.5})
             for (const double depth : {0.03, 0.1, 0.2}) {
-              TriangleMesh mesh;
+              geometry::TriangleMesh mesh;
               try {
                 mesh = generated("icebreaker", {{"stem_angle_deg", stem},
                                                 {"entrance_angle_deg", entrance},
@@ -157,7 +159,7 @@ TEST(HullAttitude, NoGeneratedFormIsDoubted) {
 
 TEST(HullAttitude, AMirroredHullIsOneThatIsTurned) {
   const auto mirrored = [](int axis) {
-    TriangleMesh mesh = coaster();
+    geometry::TriangleMesh mesh = coaster();
     for (auto& p : mesh.vertices) p[axis] = -p[axis];
     for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
     return probable_attitude(mesh, false);

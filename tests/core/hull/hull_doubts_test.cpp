@@ -8,15 +8,16 @@
 namespace {
 
 using namespace nilas;
+using namespace nilas::hull;
 using namespace nilas_test;
 
-TriangleMesh scaled(TriangleMesh mesh, double factor) {
+geometry::TriangleMesh scaled(geometry::TriangleMesh mesh, double factor) {
   for (auto& p : mesh.vertices) p *= factor;
   return mesh;
 }
 
 /// The only doubt, or a description of the doubts where there is not exactly one.
-std::string only_doubt(const TriangleMesh& mesh, const HullUse& use = {}) {
+std::string only_doubt(const geometry::TriangleMesh& mesh, const HullUse& use = {}) {
   const auto doubts = hull_doubts(mesh, use);
   if (doubts.size() == 1) return doubts.front();
   return std::to_string(doubts.size()) + " doubts" + (doubts.empty() ? "" : ": " + doubts.front());
@@ -27,7 +28,7 @@ void expect_words(const std::string& text, const std::vector<std::string>& words
 }
 
 TEST(HullDoubts, AHullWithYForwardIsToldWithTheCure) {
-  const TriangleMesh across = turned(coaster(), {{1, -1}, {2, 1}});
+  const geometry::TriangleMesh across = turned(coaster(), {{1, -1}, {2, 1}});
   EXPECT_EQ(
       only_doubt(across),
       "The hull is 20 m long (x), 100 m wide (y) and 9 m high (z), and its port and starboard sides are not alike. "
@@ -55,14 +56,14 @@ TEST(HullDoubts, TheCureIsInTheAxesAndTheUnitOfTheFile) {
   // a file in millimetres with y up and z aft was taken with --up y
   const MeshAxes file{{2, -1}, {1, 1}}, taken{{0, 1}, {1, 1}};
   const Mat3 R = file.to_vessel();
-  TriangleMesh drawn = coaster();
+  geometry::TriangleMesh drawn = coaster();
   for (auto& p : drawn.vertices) p = R.transpose() * p;
   const std::string doubt = only_doubt(turned(drawn, taken), {.file = "ship.obj", .drawn = taken, .scale = 0.001});
   expect_words(doubt, {"nilas hull ship.obj --forward -z --up y --scale 0.001"});
 }
 
 TEST(HullDoubts, UnitsThatMakeAHullTooLongOrTooShort) {
-  const TriangleMesh full = coaster(), model = scaled(full, 0.06);
+  const geometry::TriangleMesh full = coaster(), model = scaled(full, 0.06);
   EXPECT_TRUE(hull_doubts(full, {}).empty());
   EXPECT_TRUE(hull_doubts(model, {}).empty());
   expect_words(only_doubt(scaled(full, 1e3)),
@@ -77,7 +78,7 @@ TEST(HullDoubts, UnitsThatMakeAHullTooLongOrTooShort) {
 }
 
 TEST(HullDoubts, FeetShowInTheMass) {
-  const TriangleMesh feet = scaled(coaster(), 1 / 0.3048);
+  const geometry::TriangleMesh feet = scaled(coaster(), 1 / 0.3048);
   const double afloat = 9500;
   const std::string placed = only_doubt(feet, {.displaced = afloat / std::pow(0.3048, 3), .mass_afloat = afloat});
   expect_words(placed, {"35.3 times", "in feet", "--scale 0.3048"});
@@ -91,17 +92,17 @@ TEST(HullDoubts, FeetShowInTheMass) {
 
 TEST(HullDoubts, HalfAHull) {
   for (const double side : {1.0, -1.0}) {
-    TriangleMesh half = port_half(coaster());
+    geometry::TriangleMesh half = port_half(coaster());
     for (auto& p : half.vertices) p.y() *= side;
     if (side < 0)
       for (auto& t : half.triangles) std::swap(t[1], t[2]);
     expect_words(only_doubt(half), {"half a hull", "Mirror it"});
   }
-  EXPECT_TRUE(hull_doubts(box_mesh({0, 0, 0}, {100, 20, 9}), {}).empty()) << "a barge drawn from one side on";
+  EXPECT_TRUE(hull_doubts(mesh::box_mesh({0, 0, 0}, {100, 20, 9}), {}).empty()) << "a barge drawn from one side on";
 }
 
 TEST(HullDoubts, AGeneratedHullIsNotTurned) {
-  const TriangleMesh upside_down = turned(generated("icebreaker"), {{0, 1}, {2, -1}});
+  const geometry::TriangleMesh upside_down = turned(generated("icebreaker"), {{0, 1}, {2, -1}});
   EXPECT_EQ(hull_doubts(upside_down, {}).size(), 1u);
   EXPECT_TRUE(hull_doubts(upside_down, {.generated = true}).empty());
 }

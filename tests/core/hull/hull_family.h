@@ -9,8 +9,8 @@
 
 namespace nilas_test {
 
-using nilas::TriangleMesh;
 using nilas::Vec3;
+using nilas::geometry::TriangleMesh;
 
 /// Port side as a grid of points, u from aft to fore and w from keel to deck, each 0 to 1, with its image to starboard,
 /// bottom, deck and ends.
@@ -20,7 +20,7 @@ inline TriangleMesh lofted(const std::function<Vec3(double, double)>& port, int 
     p.y() = std::abs(p.y()) < 1e-9 ? 0 : side * p.y();
     return p;
   };
-  nilas::SolidBuilder b;
+  nilas::mesh::SolidBuilder b;
   for (int i = 0; i < nu; ++i) {
     for (int j = 0; j < nw; ++j) {
       b.quad(at(i, j, 1), at(i, j + 1, 1), at(i + 1, j + 1, 1), at(i + 1, j, 1));
@@ -110,24 +110,25 @@ inline TriangleMesh submarine() {
     const double r = 4 * std::sqrt(1 - fore * fore) * (1 - aft * aft * aft);
     return Vec3(75 * u, r * std::sin(nilas::k_pi * w), -r * std::cos(nilas::k_pi * w));
   });
-  return together({body, nilas::box_mesh({45, -1, 3}, {55, 1, 8})});
+  return together({body, nilas::mesh::box_mesh({45, -1, 3}, {55, 1, 8})});
 }
 
 inline TriangleMesh catamaran() {
   std::vector<TriangleMesh> shells;
   for (const double y : {-5.0, 5.0})
-    shells.push_back(nilas::shifted(lofted([](double u, double w) {
-                                      return Vec3(38 * u, 1.4 * line(u, 0.8, 0.2, 0.45, 2) * std::sqrt(w), 3.5 * w);
-                                    }),
-                                    {0, y, 0}));
-  shells.push_back(nilas::box_mesh({1, -6.4, 2.8}, {33, 6.4, 4.5}));
+    shells.push_back(nilas::mesh::shifted(lofted([](double u, double w) {
+                                            return Vec3(38 * u, 1.4 * line(u, 0.8, 0.2, 0.45, 2) * std::sqrt(w),
+                                                        3.5 * w);
+                                          }),
+                                          {0, y, 0}));
+  shells.push_back(nilas::mesh::box_mesh({1, -6.4, 2.8}, {33, 6.4, 4.5}));
   return together(shells);
 }
 
 /// A bulb ahead of the stem, a deckhouse aft.
 inline TriangleMesh with_bulb_and_deckhouse() {
-  return together(
-      {coaster(), nilas::bulb_mesh({92, 0, 2}, {5, 1.5, 1.8}, 10), nilas::box_mesh({6, -8, 8.9}, {22, 8, 22})});
+  return together({coaster(), nilas::mesh::bulb_mesh({92, 0, 2}, {5, 1.5, 1.8}, 10),
+                   nilas::mesh::box_mesh({6, -8, 8.9}, {22, 8, 22})});
 }
 
 inline TriangleMesh yacht() {
@@ -135,18 +136,18 @@ inline TriangleMesh yacht() {
     return Vec3(11 * u, 1.7 * line(u, 0.6, 0.4, 0.6, 1.8) * std::pow(w, 0.6),
                 0.5 * (2 * u - 1) * (2 * u - 1) * (1 - w) + 1.6 * w);
   });
-  return together({body, nilas::box_mesh({4.5, -0.1, -1.5}, {6, 0.1, 0.4})});
+  return together({body, nilas::mesh::box_mesh({4.5, -0.1, -1.5}, {6, 0.1, 0.4})});
 }
 
 /// Upright prism over a plan.
 inline TriangleMesh prism(const std::vector<nilas::Vec2>& plan, double height) {
-  return nilas::shifted(nilas::prism_shape(plan, height).surface, {0, 0, 0.5 * height});
+  return nilas::mesh::shifted(nilas::geometry::prism_shape(plan, height).surface, {0, 0, 0.5 * height});
 }
 
 /// Round, wide at the foot.
 inline TriangleMesh cone_foundation(double foot, double head, double height) {
   constexpr int k_sides = 48;
-  nilas::SolidBuilder b;
+  nilas::mesh::SolidBuilder b;
   const auto at = [&](int k, bool up) {
     const double turn = 2 * nilas::k_pi * (k % k_sides) / k_sides, r = up ? head : foot;
     return Vec3(r * std::cos(turn), r * std::sin(turn), up ? height : 0);
@@ -159,11 +160,11 @@ inline TriangleMesh cone_foundation(double foot, double head, double height) {
   return b.take();
 }
 
-inline TriangleMesh semisubmersible() { return together(nilas::semisubmersible_shells(24)); }
+inline TriangleMesh semisubmersible() { return together(nilas::mesh::semisubmersible_shells(24)); }
 
 /// A deck as wide as the pontoons are long, no box on top: pontoons and columns alone.
 inline TriangleMesh pontoons_and_columns() {
-  auto shells = nilas::semisubmersible_shells(24);
+  auto shells = nilas::mesh::semisubmersible_shells(24);
   shells.pop_back();
   return together(shells);
 }
@@ -175,7 +176,7 @@ inline TriangleMesh port_half(TriangleMesh mesh) {
 
 inline TriangleMesh generated(const std::string& kind, std::map<std::string, double> parameters = {}) {
   parameters.emplace("triangles", 1500);
-  return nilas::generate_hull(nilas::hull_form(kind, parameters)).fluid;
+  return nilas::hull::generate_hull(nilas::hull::hull_form(kind, parameters)).fluid;
 }
 
 }  // namespace nilas_test

@@ -11,7 +11,7 @@
 #include "tests/support/refusal.h"
 #include "tests/support/scratch_folder.h"
 
-namespace nilas {
+namespace nilas::hull {
 namespace {
 
 namespace fs = std::filesystem;
@@ -33,7 +33,7 @@ class HullFolder : public testing::Test {
 };
 
 /// Corners of every triangle in order, which is the content of an STL file.
-std::vector<Vec3> corners(const TriangleMesh& mesh) {
+std::vector<Vec3> corners(const geometry::TriangleMesh& mesh) {
   std::vector<Vec3> all;
   for (const auto& t : mesh.triangles)
     for (const int v : t) all.push_back(mesh.vertices[v]);
@@ -41,9 +41,9 @@ std::vector<Vec3> corners(const TriangleMesh& mesh) {
 }
 
 /// Two boxes side by side in an L: closed and outward, not convex.
-TriangleMesh l_shape() {
+geometry::TriangleMesh l_shape() {
   const std::vector<Vec2> outline{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
-  return prism_shape(outline, 1).surface;
+  return geometry::prism_shape(outline, 1).surface;
 }
 
 TEST_F(HullFolder, RoundTripKeepsEveryBit) {
@@ -66,7 +66,7 @@ TEST_F(HullFolder, WritingAgainLeavesNoPartOfTheHullBefore) {
 }
 
 TEST_F(HullFolder, PartsAreOrderedByTheirNumber) {
-  const TriangleMesh box = prism_shape({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, 1).surface;
+  const geometry::TriangleMesh box = geometry::prism_shape({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, 1).surface;
   Hull hull{box, {}};
   for (int k = 0; k < 101; ++k) {
     hull.parts.push_back(box);
@@ -132,14 +132,14 @@ TEST_F(HullFolder, ARefusedMeshAndAHullNeverShareTheFolder) {
 
 TEST_F(HullFolder, ConvexStlIsItsOwnPart) {
   const Hull hull = example();
-  write_stl(hull.fluid, folder_ / "ship.stl");
+  geometry::write_stl(hull.fluid, folder_ / "ship.stl");
   const Hull read = read_hull(folder_ / "ship.stl");
   ASSERT_EQ(read.parts.size(), 1u);
   EXPECT_EQ(corners(read.parts[0]), corners(hull.fluid));
 }
 
 TEST_F(HullFolder, ConcaveStlAsksForAFolderWithConvexParts) {
-  write_stl(l_shape(), folder_ / "l.stl");
+  geometry::write_stl(l_shape(), folder_ / "l.stl");
   const std::string text = refusal(folder_ / "l.stl");
   EXPECT_PRED2(test::mentions, text, "l.stl");
   EXPECT_PRED2(test::mentions, text, "not convex");
@@ -149,7 +149,7 @@ TEST_F(HullFolder, ConcaveStlAsksForAFolderWithConvexParts) {
 
 TEST_F(HullFolder, ConcaveSurfaceWithConvexPartsIsRead) {
   const auto box = [](double x0, double y0, double x1, double y1) {
-    TriangleMesh mesh = prism_shape({{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, 1).surface;
+    geometry::TriangleMesh mesh = geometry::prism_shape({{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, 1).surface;
     return mesh;
   };
   replace(folder_, {l_shape(), {box(0, 0, 2, 1), box(0, 1, 1, 2)}}, "{\"parts\": 2}");
@@ -201,7 +201,7 @@ TEST_F(HullFolder, MissingFilesAreFileErrors) {
   fs::create_symlink("loop", folder_ / "loop");
   EXPECT_THROW(read_hull(folder_ / "loop"), FileError);
   EXPECT_THROW(read_hull(folder_), FileError);  // a folder without fluid.stl
-  write_stl(example().fluid, folder_ / "fluid.stl");
+  geometry::write_stl(example().fluid, folder_ / "fluid.stl");
   EXPECT_PRED2(test::mentions, refusal(folder_), "part-NNNN.stl");
   std::ofstream(folder_ / "file") << "x";
   EXPECT_THROW(NewHullFolder(folder_ / "file" / "ship", false), FileError);
@@ -209,4 +209,4 @@ TEST_F(HullFolder, MissingFilesAreFileErrors) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::hull

@@ -10,15 +10,15 @@
 #include "tests/support/mentions.h"
 #include "tests/support/refusal.h"
 
-namespace nilas {
+namespace nilas::hull {
 namespace {
 
-Vec3 normal_of(const TriangleMesh& mesh, const std::array<int, 3>& t) {
+Vec3 normal_of(const geometry::TriangleMesh& mesh, const std::array<int, 3>& t) {
   const auto vertex = [&](int k) { return mesh.vertices[t[k]]; };
   return (vertex(1) - vertex(0)).cross(vertex(2) - vertex(0)).normalized();
 }
 
-bool mirror_symmetric(const TriangleMesh& mesh) {
+bool mirror_symmetric(const geometry::TriangleMesh& mesh) {
   std::set<std::array<double, 3>> points;
   for (const auto& p : mesh.vertices) points.insert({p.x(), p.y(), p.z()});
   return std::all_of(mesh.vertices.begin(), mesh.vertices.end(), [&](const Vec3& p) {
@@ -26,7 +26,7 @@ bool mirror_symmetric(const TriangleMesh& mesh) {
   });
 }
 
-double longest_side(const TriangleMesh& mesh) {
+double longest_side(const geometry::TriangleMesh& mesh) {
   Vec3 low = mesh.vertices.front(), high = low;
   for (const auto& p : mesh.vertices) {
     low = low.cwiseMin(p);
@@ -38,7 +38,7 @@ double longest_side(const TriangleMesh& mesh) {
 /// How far any vertex stands outside the plane of any triangle, as a share of what rounding to float32 explains:
 /// vertices move by up to e = 2^-24 of the length L, which tilts the plane of a triangle of height d by 2 e/d, so at a
 /// distance L a vertex may stand e + 2 e L/d outside.
-double furthest_outside(const TriangleMesh& mesh) {
+double furthest_outside(const geometry::TriangleMesh& mesh) {
   Eigen::Matrix3Xd points(3, static_cast<Eigen::Index>(mesh.vertices.size()));
   for (std::size_t i = 0; i < mesh.vertices.size(); ++i) points.col(static_cast<Eigen::Index>(i)) = mesh.vertices[i];
   const double length = longest_side(mesh), rounding = std::ldexp(length, -24);
@@ -55,8 +55,8 @@ double furthest_outside(const TriangleMesh& mesh) {
 }
 
 /// Closed, outward, symmetric bit for bit, float32 coordinates, and convex to rounding.
-void expect_sound(const TriangleMesh& mesh) {
-  const MeshDefects defects = find_defects(mesh);
+void expect_sound(const geometry::TriangleMesh& mesh) {
+  const geometry::MeshDefects defects = geometry::find_defects(mesh);
   EXPECT_TRUE(defects.sound()) << defects.text();
   EXPECT_TRUE(mirror_symmetric(mesh));
   EXPECT_LE(furthest_outside(mesh), 1);
@@ -68,18 +68,18 @@ void expect_sound(const Hull& hull) {
   expect_sound(hull.fluid);
   for (const auto& part : hull.parts) {
     expect_sound(part);
-    EXPECT_NO_THROW(make_polytope(part, 5e-6 * longest_side(part)));
+    EXPECT_NO_THROW(geometry::make_polytope(part, 5e-6 * longest_side(part)));
   }
 }
 
-double volume(const TriangleMesh& mesh) { return mesh_properties(mesh, 1.0).mass; }
+double volume(const geometry::TriangleMesh& mesh) { return geometry::mesh_properties(mesh, 1.0).mass; }
 
 HullForm form_of(const std::map<std::string, double>& parameters, const std::string& kind = "icebreaker") {
   return hull_form(kind, parameters);
 }
 
 /// Point of the surface furthest forward on the centre plane at height z.
-double stem_at(const TriangleMesh& mesh, double z) {
+double stem_at(const geometry::TriangleMesh& mesh, double z) {
   double furthest = -1e300;
   for (const auto& t : mesh.triangles)
     for (std::size_t k = 0; k < 3; ++k) {
@@ -119,7 +119,7 @@ TEST(HullGenerate, LevelsAgreeInVolumeAndPartsWithTheSurface) {
 
 TEST(HullGenerate, MainDimensionsAreAsAsked) {
   const HullForm form = form_of({{"length", 6}, {"beam", 1.1}, {"draught", 0.3}, {"depth", 0.55}});
-  const TriangleMesh mesh = generate_hull(form).fluid;
+  const geometry::TriangleMesh mesh = generate_hull(form).fluid;
   Vec3 low = mesh.vertices.front(), high = low;
   double beam_at_draught = 0;
   for (const auto& p : mesh.vertices) {
@@ -145,7 +145,7 @@ TEST(HullGenerate, StemAndEntranceAnglesAreAsAsked) {
   for (const double stem : {20.0, 45.0, 90.0})
     for (const double entrance : {19.0, 24.0, 30.0, 33.5, 34.0, 50.0}) {
       const HullForm form = form_of({{"stem_angle_deg", stem}, {"entrance_angle_deg", entrance}, {"triangles", 1000}});
-      const TriangleMesh mesh = generate_hull(form).fluid;
+      const geometry::TriangleMesh mesh = generate_hull(form).fluid;
       const double low = stem_at(mesh, 0.1), high = stem_at(mesh, 0.5);
       EXPECT_NEAR(std::atan2(0.4, high - low) / k_deg, stem, 0.01);
       const double at_waterline = stem_at(mesh, form.draught);
@@ -247,4 +247,4 @@ TEST(HullForm, UnknownNamesAreRefusedWithTheNearest) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::hull

@@ -8,7 +8,7 @@
 #include "core/geometry/weld.h"
 #include "core/mesh/mend/polygon_soup.h"
 
-namespace nilas {
+namespace nilas::mesh {
 
 /// Collects triangles and quadrilaterals; those that have collapsed are left out.
 class SolidBuilder {
@@ -21,38 +21,38 @@ class SolidBuilder {
     triangle(a, b, c);
     triangle(a, c, d);
   }
-  TriangleMesh take() { return weld_.take(); }
+  geometry::TriangleMesh take() { return weld_.take(); }
 
  private:
-  Weld weld_;
+  geometry::Weld weld_;
 };
 
-inline TriangleMesh shifted(TriangleMesh mesh, const Vec3& by) {
+inline geometry::TriangleMesh shifted(geometry::TriangleMesh mesh, const Vec3& by) {
   for (auto& p : mesh.vertices) p += by;
   return mesh;
 }
 
-inline TriangleMesh box_mesh(const Vec3& low, const Vec3& high) {
-  return shifted(box_shape(high - low).surface, 0.5 * (low + high));
+inline geometry::TriangleMesh box_mesh(const Vec3& low, const Vec3& high) {
+  return shifted(geometry::box_shape(high - low).surface, 0.5 * (low + high));
 }
 
 /// Upright prism with n sides around the axis through `foot`.
-inline TriangleMesh column_mesh(const Vec3& foot, double radius, double height, int n) {
+inline geometry::TriangleMesh column_mesh(const Vec3& foot, double radius, double height, int n) {
   std::vector<Vec2> outline;
   for (int k = 0; k < n; ++k)
     outline.emplace_back(radius * std::cos(2 * k_pi * k / n), radius * std::sin(2 * k_pi * k / n));
-  return shifted(prism_shape(outline, height).surface, foot + Vec3(0, 0, 0.5 * height));
+  return shifted(geometry::prism_shape(outline, height).surface, foot + Vec3(0, 0, 0.5 * height));
 }
 inline double column_area(double radius, int n) { return 0.5 * n * radius * radius * std::sin(2 * k_pi / n); }
 
 /// Upright sides that meet in a stem: x from 0 to 3, the bow from 2 on.
-inline TriangleMesh wedge_mesh() {
-  return shifted(prism_shape({{0, -0.5}, {2, -0.5}, {3, 0}, {2, 0.5}, {0, 0.5}}, 0.6).surface, {0, 0, 0.3});
+inline geometry::TriangleMesh wedge_mesh() {
+  return shifted(geometry::prism_shape({{0, -0.5}, {2, -0.5}, {3, 0}, {2, 0.5}, {0, 0.5}}, 0.6).surface, {0, 0, 0.3});
 }
 constexpr double k_wedge_volume = (2.0 + 0.5) * 0.6;
 
 /// Point down at the origin; n sides.
-inline TriangleMesh cone_mesh(double radius, double height, int n) {
+inline geometry::TriangleMesh cone_mesh(double radius, double height, int n) {
   SolidBuilder b;
   for (int k = 0; k < n; ++k) {
     const auto rim = [&](int i) {
@@ -66,7 +66,7 @@ inline TriangleMesh cone_mesh(double radius, double height, int n) {
 }
 
 /// A barge with a rectangular well through it.
-inline TriangleMesh moonpool_mesh() {
+inline geometry::TriangleMesh moonpool_mesh() {
   const std::vector<Vec2> out{{0, -0.5}, {4, -0.5}, {4, 0.5}, {0, 0.5}},
       in{{1.5, -0.25}, {2.5, -0.25}, {2.5, 0.25}, {1.5, 0.25}};
   SolidBuilder b;
@@ -93,7 +93,7 @@ inline double ship_half_breadth(double x, double z) {
 }
 
 /// 4 nx nz + 2 nx + 2 nz triangles, less the collapsed ones at keel and stem; mirror-symmetric to the bit.
-inline TriangleMesh ship_mesh(int nx, int nz) {
+inline geometry::TriangleMesh ship_mesh(int nx, int nz) {
   constexpr double k_length = 6, k_depth = 0.6;
   const auto at = [&](int i, int j, double side) {
     const double x = k_length * i / nx, share = static_cast<double>(j) / nz, z = k_depth * share * share;
@@ -117,7 +117,7 @@ inline TriangleMesh ship_mesh(int nx, int nz) {
 }
 
 /// Ellipsoid about a centre, n rings of 2n facets.
-inline TriangleMesh bulb_mesh(const Vec3& centre, const Vec3& radii, int n) {
+inline geometry::TriangleMesh bulb_mesh(const Vec3& centre, const Vec3& radii, int n) {
   SolidBuilder b;
   const auto at = [&](int i, int j) -> Vec3 {
     const double u = k_pi * i / n, v = k_pi * (j % (2 * n)) / n;
@@ -127,13 +127,13 @@ inline TriangleMesh bulb_mesh(const Vec3& centre, const Vec3& radii, int n) {
   };
   for (int i = 0; i < n; ++i)
     for (int j = 0; j < 2 * n; ++j) b.quad(at(i, j), at(i, j + 1), at(i + 1, j + 1), at(i + 1, j));
-  TriangleMesh mesh = b.take();
-  if (signed_volume(mesh) < 0)
+  geometry::TriangleMesh mesh = b.take();
+  if (geometry::signed_volume(mesh) < 0)
     for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
   return mesh;
 }
 
-inline PolygonSoup soup_of(const std::vector<TriangleMesh>& shells) {
+inline PolygonSoup soup_of(const std::vector<geometry::TriangleMesh>& shells) {
   PolygonSoup soup;
   for (const auto& shell : shells) {
     const int first = static_cast<int>(soup.points.size());
@@ -144,8 +144,8 @@ inline PolygonSoup soup_of(const std::vector<TriangleMesh>& shells) {
 }
 
 /// Two pontoons, four columns, a deck: seven closed shells that overlap, as a drawing program leaves them.
-inline std::vector<TriangleMesh> semisubmersible_shells(int n) {
-  std::vector<TriangleMesh> shells;
+inline std::vector<geometry::TriangleMesh> semisubmersible_shells(int n) {
+  std::vector<geometry::TriangleMesh> shells;
   for (const double y : {-1.0, 1.0}) shells.push_back(box_mesh({-1.5, y - 0.3, 0}, {1.5, y + 0.3, 0.3}));
   for (const double x : {-1.0, 1.0})
     for (const double y : {-1.0, 1.0}) shells.push_back(column_mesh({x, y, 0.2}, 0.22, 0.9, n));
@@ -156,4 +156,4 @@ inline double semisubmersible_volume(int n) {
   return 2 * 3.0 * 0.6 * 0.3 + 4 * column_area(0.22, n) * 0.7 + 2.8 * 2.8 * 0.2;
 }
 
-}  // namespace nilas
+}  // namespace nilas::mesh

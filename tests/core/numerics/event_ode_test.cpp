@@ -9,6 +9,7 @@
 namespace {
 
 using namespace nilas;
+using namespace nilas::numerics;
 
 EventOde oscillator() {
   return {[](double, const VecX& y, VecX& dy) { dy << y[1], -y[0]; }, 0, {}};

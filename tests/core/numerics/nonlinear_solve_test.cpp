@@ -9,6 +9,7 @@
 namespace {
 
 using namespace nilas;
+using namespace nilas::numerics;
 
 TEST(NonlinearSolve, CircleAndParabola) {
   const auto equations = [](const VecX& x, VecX& f) { f << x[0] * x[0] + x[1] * x[1] - 2, x[1] - x[0] * x[0]; };

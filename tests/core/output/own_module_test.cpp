@@ -14,13 +14,14 @@
 namespace {
 
 using namespace nilas;
+using namespace nilas::output;
 
 constexpr double k_push = 30, k_mass = 60, k_step = 0.01;
 constexpr int k_steps = 10;
 
-ModuleList with_push() {
-  ModuleList modules = scene_modules();
-  modules.push_back({"push", true, [](const ModuleSources&) -> BuiltModule {
+sim::ModuleList with_push() {
+  sim::ModuleList modules = sim::scene_modules();
+  modules.push_back({"push", true, [](const sim::ModuleSources&) -> sim::BuiltModule {
                        return {make_push(Vec3(k_push, 0, 0), k_steps), "the test"};
                      }});
   return modules;
@@ -28,22 +29,23 @@ ModuleList with_push() {
 
 class OwnModule : public testing::Test {
  protected:
-  Simulation simulation() { return {scene_, 1, warnings_, with_push()}; }
+  sim::Simulation simulation() { return {scene_, 1, warnings_, with_push()}; }
 
   test::ScratchFolder folder_;
-  Scene scene_ = read_scene(folder_.write("scene.xml",
-                                          "<scene version='1'><gravity value='0 0 0'/><time step='0.01' end='1'/>"
-                                          "<body name='box' shape='box' size='1 1 1' mass='60'/></scene>"));
+  scene::Scene scene_ =
+      scene::read_scene(folder_.write("scene.xml",
+                                      "<scene version='1'><gravity value='0 0 0'/><time step='0.01' end='1'/>"
+                                      "<body name='box' shape='box' size='1 1 1' mass='60'/></scene>"));
   WarningCounts warnings_{make_logger("off", "")};
 };
 
 /// 30 N over 10 steps of 0.01 s give 60 kg the speed 30 * 0.1 / 60 = 0.05 m/s and the energy 60 * 0.05^2 / 2 = 0.075 J.
 /// The tolerances are rounding.
 TEST_F(OwnModule, PushesAsNewtonSaysAndItsWorkIsBooked) {
-  Simulation run = simulation();
+  sim::Simulation run = simulation();
   EXPECT_EQ(run.info().modules.back(), (std::pair<std::string, std::string>{"push", "the test"}));
   ASSERT_EQ(run.info().work_names, std::vector<std::string>{"push"});
-  StepRecord record;
+  sim::StepRecord record;
   for (int k = 0; k < 20; ++k) record = run.step();
   const double speed = k_push / k_mass * k_steps * k_step;
   EXPECT_NEAR(run.bodies().v_GB[0].x(), speed, 1e-14);
@@ -54,7 +56,7 @@ TEST_F(OwnModule, PushesAsNewtonSaysAndItsWorkIsBooked) {
 }
 
 TEST_F(OwnModule, HasAColumnInTheTableOfSteps) {
-  Simulation run = simulation();
+  sim::Simulation run = simulation();
   StepsCsv table(folder_ / "steps.csv", run.info());
   for (int k = 0; k < 3; ++k) table.row(run.step());
   EXPECT_EQ(run.total("push_steps_left"), k_steps - 3);
@@ -72,12 +74,12 @@ TEST_F(OwnModule, HasAColumnInTheTableOfSteps) {
 }
 
 TEST_F(OwnModule, ContinuesFromACheckpoint) {
-  Simulation whole = simulation(), first = simulation(), rest = simulation();
+  sim::Simulation whole = simulation(), first = simulation(), rest = simulation();
   for (int k = 0; k < 5; ++k) first.step();
   State state;
   first.save(StateWriter(state));
   rest.restore(StateReader(state));
-  StepRecord of_whole, of_rest;
+  sim::StepRecord of_whole, of_rest;
   for (int k = 0; k < 20; ++k) of_whole = whole.step();
   for (int k = 5; k < 20; ++k) of_rest = rest.step();
   EXPECT_EQ(of_rest.state_hash, of_whole.state_hash);
@@ -85,7 +87,7 @@ TEST_F(OwnModule, ContinuesFromACheckpoint) {
 }
 
 TEST_F(OwnModule, IsNotThereWhereNobodyListsIt) {
-  Simulation plain(scene_, 1, warnings_);
+  sim::Simulation plain(scene_, 1, warnings_);
   EXPECT_TRUE(plain.info().module_columns.empty());
   EXPECT_TRUE(plain.info().work_names.empty());
 }

@@ -1,15 +1,15 @@
 #include "tests/core/output/push_example.h"
 
-namespace nilas {
+namespace nilas::output {
 
 namespace {
 
-class Push : public ForceModule {
+class Push : public bodies::ForceModule {
  public:
   Push(const Vec3& force, int steps) : force_(force), steps_left_(steps) {}
   std::string name() const override { return "push"; }
 
-  void add_forces(const Bodies& bodies, double /*t*/, Wrenches& out) override {
+  void add_forces(const bodies::Bodies& bodies, double /*t*/, bodies::Wrenches& out) override {
     if (!acts_) return;
     for (int b = 0; b < bodies.size(); ++b)
       if (bodies.is_free(b)) out[b].force += force_;
@@ -24,7 +24,7 @@ class Push : public ForceModule {
   void append_values(std::vector<double>& values) const override { values.push_back(steps_left_); }
   double total(std::string_view name) const override { return name == "push_steps_left" ? steps_left_ : 0; }
 
-  void save(const Bodies& /*bodies*/, StateWriter out) const override { out.add("steps_left", steps_left_); }
+  void save(const bodies::Bodies& /*bodies*/, StateWriter out) const override { out.add("steps_left", steps_left_); }
   void restore(const StateReader& in) override { in.get("steps_left", steps_left_); }
 
  private:
@@ -35,6 +35,8 @@ class Push : public ForceModule {
 
 }  // namespace
 
-std::unique_ptr<ForceModule> make_push(const Vec3& force, int steps) { return std::make_unique<Push>(force, steps); }
+std::unique_ptr<bodies::ForceModule> make_push(const Vec3& force, int steps) {
+  return std::make_unique<Push>(force, steps);
+}
 
-}  // namespace nilas
+}  // namespace nilas::output

@@ -11,8 +11,8 @@
 namespace nilas::test {
 
 /// A run with every module that has columns.
-inline RunInfo full_run() {
-  RunInfo info;
+inline sim::RunInfo full_run() {
+  sim::RunInfo info;
   info.scene_name = "sample";
   info.work_names = {"drag", "carriage"};
   info.modules = {{"vessel", "<vessel>"}, {"carriage", "<carriage>"}};
@@ -32,8 +32,8 @@ inline RunInfo full_run() {
 }
 
 /// Step 1 at 0.01 s with small numbers that tell the columns apart.
-inline StepRecord full_record() {
-  StepRecord record;
+inline sim::StepRecord full_record() {
+  sim::StepRecord record;
   record.step = 1;
   record.t = record.h = 0.01;
   record.floes = 2;
@@ -51,7 +51,7 @@ inline StepRecord full_record() {
   record.angular_momentum_scale = 4;
   record.ms = {1, 2, 3, 4, 5, 6, 7};
   record.state_hash = 0x00ab;
-  VesselRecord vessel;
+  sim::VesselRecord vessel;
   vessel.contact = {Vec3(1, 2, 3), Vec3(4, 5, 6)};
   vessel.ice = vessel.contact.force;
   vessel.carriage.emplace();
@@ -66,8 +66,8 @@ inline StepRecord full_record() {
   return record;
 }
 
-inline void add_body(Bodies& bodies, const std::string& name, BodyKind kind, Motion motion, const Shape& shape,
-                     double mass, const Vec3& p) {
+inline void add_body(bodies::Bodies& bodies, const std::string& name, bodies::BodyKind kind, bodies::Motion motion,
+                     const geometry::Shape& shape, double mass, const Vec3& p) {
   const auto b = bodies.id.size();
   bodies.id.push_back(static_cast<std::int64_t>(b) + 1);
   bodies.name.push_back(name);
@@ -75,7 +75,7 @@ inline void add_body(Bodies& bodies, const std::string& name, BodyKind kind, Mot
   bodies.motion.push_back(motion);
   bodies.material.push_back(0);
   bodies.set_material(static_cast<int>(b), "ice");
-  bodies.shape.push_back(std::make_shared<const Shape>(shape));
+  bodies.shape.push_back(std::make_shared<const geometry::Shape>(shape));
   bodies.mass.push_back(mass);
   bodies.inertia_B.emplace_back(Mat3::Identity());
   bodies.inertia_inverse_B.emplace_back(Mat3::Identity());
@@ -87,32 +87,33 @@ inline void add_body(Bodies& bodies, const std::string& name, BodyKind kind, Mot
 }
 
 /// Prism over a triangle of 1 m legs.
-inline Shape triangle_floe() {
-  Shape shape;
-  shape.kind = ShapeKind::prism;
+inline geometry::Shape triangle_floe() {
+  geometry::Shape shape;
+  shape.kind = geometry::ShapeKind::prism;
   shape.outline = {Vec2(0, 0), Vec2(1, 0), Vec2(0, 1)};
   shape.thickness = 0.2;
   return shape;
 }
 
 /// Tetrahedron of 1 m legs.
-inline Shape tetrahedron() {
-  Shape shape;
-  shape.kind = ShapeKind::mesh;
+inline geometry::Shape tetrahedron() {
+  geometry::Shape shape;
+  shape.kind = geometry::ShapeKind::mesh;
   shape.surface.vertices = {Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
   shape.surface.triangles = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
   return shape;
 }
 
 /// A free floe, a fixed floe, a hull and a plane.
-inline Bodies sample_bodies() {
-  Bodies bodies;
-  add_body(bodies, "floe-1", BodyKind::floe, Motion::free, triangle_floe(), 10, Vec3(1, 2, 0));
-  add_body(bodies, "floe-2", BodyKind::floe, Motion::fixed, triangle_floe(), 20, Vec3(4, 5, 0));
-  add_body(bodies, "hull", BodyKind::vessel, Motion::articulated, tetrahedron(), 1500, Vec3(-3, 0, 0.5));
-  Shape plane;
-  plane.kind = ShapeKind::plane;
-  add_body(bodies, "wall,\"north\"", BodyKind::wall, Motion::fixed, plane, 0, Vec3(0, 9, 0));
+inline bodies::Bodies sample_bodies() {
+  bodies::Bodies bodies;
+  add_body(bodies, "floe-1", bodies::BodyKind::floe, bodies::Motion::free, triangle_floe(), 10, Vec3(1, 2, 0));
+  add_body(bodies, "floe-2", bodies::BodyKind::floe, bodies::Motion::fixed, triangle_floe(), 20, Vec3(4, 5, 0));
+  add_body(bodies, "hull", bodies::BodyKind::vessel, bodies::Motion::articulated, tetrahedron(), 1500,
+           Vec3(-3, 0, 0.5));
+  geometry::Shape plane;
+  plane.kind = geometry::ShapeKind::plane;
+  add_body(bodies, "wall,\"north\"", bodies::BodyKind::wall, bodies::Motion::fixed, plane, 0, Vec3(0, 9, 0));
   bodies.v_GB[0] = Vec3(0.3, 0.4, 0);
   return bodies;
 }

@@ -10,7 +10,7 @@
 #include "core/output/run/summary_json.h"
 #include "tests/core/output/sample_run.h"
 
-namespace nilas {
+namespace nilas::output {
 namespace {
 
 using test::full_record;
@@ -31,8 +31,8 @@ TEST(LoadStatistics, OfAKnownSeries) {
 
 TEST(RunStatistics, GoOnAsSaved) {
   RunStatistics whole(full_run());
-  whole.start(0, Ledger{.works = {0, 0}});
-  StepRecord record = full_record();
+  whole.start(0, sim::Ledger{.works = {0, 0}});
+  sim::StepRecord record = full_record();
   State state;
   for (int k = 0; k < 20; ++k) {
     if (k == 12) whole.save(StateWriter(state));
@@ -61,18 +61,18 @@ TEST(RunStatistics, GoOnAsSaved) {
   EXPECT_EQ(rest.worst("imbalance_J").time, whole.worst("imbalance_J").time);
   for (std::size_t c = 0; c < whole.load_names().size(); ++c) EXPECT_EQ(rest.load_series(c), whole.load_series(c));
 
-  RunInfo other = full_run();
+  sim::RunInfo other = full_run();
   other.work_names.pop_back();
   EXPECT_THROW(RunStatistics(other).restore(StateReader(state)), InputError);
 }
 
 /// Oscillations while the carriage starts do not count as readings of the test.
 TEST(RunStatistics, CellsAreTaredAndLeaveTheRampOut) {
-  RunInfo info = full_run();
+  sim::RunInfo info = full_run();
   info.ramp_end = 0.1;
   RunStatistics statistics(info);
-  statistics.start(0, Ledger{.works = {0, 0}});
-  StepRecord record = full_record();
+  statistics.start(0, sim::Ledger{.works = {0, 0}});
+  sim::StepRecord record = full_record();
   record.vessel->touches_ice = false;
   const VesselChannels channels(info);
   for (int k = 0; k < 20; ++k) {
@@ -89,8 +89,8 @@ TEST(RunStatistics, CellsAreTaredAndLeaveTheRampOut) {
 
 TEST(RunStatistics, KeepsTheWorstWithItsTime) {
   RunStatistics statistics(full_run());
-  statistics.start(0, Ledger{});
-  StepRecord record = full_record();
+  statistics.start(0, sim::Ledger{});
+  sim::StepRecord record = full_record();
   const std::vector<double> values(53, 1);
   for (const double x : {1.0, -3.0, 2.0}) {
     record.ledger.imbalance = x;
@@ -104,12 +104,12 @@ TEST(RunStatistics, KeepsTheWorstWithItsTime) {
   EXPECT_DOUBLE_EQ(statistics.worst("momentum_imbalance_relative").value, 1e-13 / 2);
   EXPECT_EQ(statistics.steps(), 3);
   EXPECT_EQ(statistics.load_series(0).size(), 3u);
-  EXPECT_EQ(statistics.mean_ms(Phase::detection), 2);
+  EXPECT_EQ(statistics.mean_ms(sim::Phase::detection), 2);
 }
 
 TEST(RunStatistics, CountsWhatFellShort) {
   RunStatistics statistics(full_run());
-  StepRecord record = full_record();
+  sim::StepRecord record = full_record();
   const std::vector<double> values(53, 1);
   statistics.add(record, values);
   EXPECT_EQ(statistics.shortfalls().unconverged_steps, 0);
@@ -125,7 +125,7 @@ TEST(RunStatistics, CountsWhatFellShort) {
 
 TEST(RunStatistics, AValueThatIsNotANumberIsTheWorst) {
   RunStatistics statistics(full_run());
-  StepRecord record = full_record();
+  sim::StepRecord record = full_record();
   const std::vector<double> values(53, 1);
   record.residuals.law_map_m_s = std::numeric_limits<double>::quiet_NaN();
   statistics.add(record, values);
@@ -136,11 +136,11 @@ TEST(RunStatistics, AValueThatIsNotANumberIsTheWorst) {
 
 TEST(RunStatistics, EnergyPutInAddsTheAbsoluteWorksOfAllSteps) {
   RunStatistics statistics(full_run());
-  Ledger start;
+  sim::Ledger start;
   start.kinetic = 2;
   start.works = {0, 0};
   statistics.start(0, start);
-  StepRecord record = full_record();
+  sim::StepRecord record = full_record();
   const std::vector<double> values(53, 1);
   record.ledger.works = {1, -4};
   statistics.add(record, values);
@@ -152,12 +152,12 @@ TEST(RunStatistics, EnergyPutInAddsTheAbsoluteWorksOfAllSteps) {
 }
 
 TEST(RunStatistics, NothingMissingFromNothingIsABalance) {
-  RunInfo info;
+  sim::RunInfo info;
   RunStatistics statistics(info);
-  statistics.add(StepRecord{}, {});
+  statistics.add(sim::StepRecord{}, {});
   EXPECT_EQ(statistics.relative_imbalance(), 0);
   EXPECT_EQ(statistics.worst("momentum_imbalance_relative").value, 0);
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::output

@@ -5,7 +5,7 @@
 #include "tests/core/scene/complete_scene.h"
 #include "tests/support/mentions.h"
 
-namespace nilas {
+namespace nilas::scene {
 namespace {
 
 using testing::expect_fault;
@@ -159,4 +159,4 @@ TEST(Sha256, FilesLongerThanTheBuffer) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::scene

@@ -6,7 +6,7 @@
 #include "core/scene/schema/values.h"
 #include "tests/core/scene/complete_scene.h"
 
-namespace nilas {
+namespace nilas::scene {
 namespace {
 
 using testing::expect_fault;
@@ -162,4 +162,4 @@ TEST(Faults, NumbersAreWrittenShortAndExactly) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::scene

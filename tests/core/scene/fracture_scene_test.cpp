@@ -5,7 +5,7 @@
 
 #include "tests/core/scene/scene_files.h"
 
-namespace nilas {
+namespace nilas::scene {
 namespace {
 
 using testing::expect_fault;
@@ -159,4 +159,4 @@ TEST(FractureScene, FaultsAreFound) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::scene

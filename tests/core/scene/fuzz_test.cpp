@@ -5,7 +5,7 @@
 
 #include "tests/core/scene/complete_scene.h"
 
-namespace nilas {
+namespace nilas::scene {
 namespace {
 
 using testing::SceneFolder;
@@ -81,4 +81,4 @@ TEST(Fuzz, DamagedBytes) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::scene

@@ -3,7 +3,7 @@
 
 #include "tests/core/scene/scene_files.h"
 
-namespace nilas {
+namespace nilas::scene {
 namespace {
 
 using testing::expect_fault;
@@ -46,4 +46,4 @@ TEST(NotBuilt, WhatSaysTheSameAsNothingIsTaken) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::scene

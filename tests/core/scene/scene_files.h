@@ -15,12 +15,12 @@ namespace nilas::testing {
 /// A folder of scenes.
 class SceneFolder : public test::ScratchFolder {
  public:
-  Scene read(const std::string& text, const Overrides& overrides = {}) const {
-    return read_scene(write("scene.xml", text), overrides);
+  scene::Scene read(const std::string& text, const scene::Overrides& overrides = {}) const {
+    return scene::read_scene(write("scene.xml", text), overrides);
   }
 
   /// The faults of a scene; none when it reads.
-  std::vector<Fault> faults(const std::string& text, const Overrides& overrides = {}) const {
+  std::vector<Fault> faults(const std::string& text, const scene::Overrides& overrides = {}) const {
     try {
       read(text, overrides);
     } catch (const SceneError& error) {

@@ -5,7 +5,7 @@
 
 #include "tests/core/scene/scene_files.h"
 
-namespace nilas {
+namespace nilas::scene {
 namespace {
 
 using testing::expect_fault;
@@ -107,4 +107,4 @@ TEST(Vary, FaultsNameTheLine) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::scene

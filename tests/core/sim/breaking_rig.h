@@ -26,9 +26,9 @@ struct BreakingRig : SceneRig {
                  threads, {{"bow.stl", bow_hull()}}) {}
 
   /// Steps until ice breaks, and returns that step's record.
-  StepRecord until_broken(int most = 2000) {
+  sim::StepRecord until_broken(int most = 2000) {
     for (int k = 0; k < most; ++k)
-      if (StepRecord record = simulation.step(); !record.broken.empty()) return record;
+      if (sim::StepRecord record = simulation.step(); !record.broken.empty()) return record;
     ADD_FAILURE() << "nothing breaks";
     return {};
   }

@@ -19,6 +19,7 @@
 namespace {
 
 using namespace nilas;
+using namespace nilas::sim;
 namespace fs = std::filesystem;
 
 const CheckpointOrigin k_origin{"nilas of the tests", "a build", "a fingerprint"};
@@ -30,12 +31,12 @@ class Bits {
     add(record.step, record.floes, record.contacts, record.islands, record.iterations, record.solver_short,
         record.positions_corrected, record.detection.fallbacks, static_cast<int>(record.status));
     words_.push_back(record.state_hash);
-    for (const auto& residual : residual_columns()) add(record.residuals.*residual.member);
+    for (const auto& residual : contact::residual_columns()) add(record.residuals.*residual.member);
     const Ledger& l = record.ledger;
     add(record.t, record.penetration_max, record.penetration_mean, record.momentum_imbalance, record.momentum_scale,
         record.angular_momentum_imbalance, record.angular_momentum_scale, l.kinetic, l.potential, l.friction, l.impact,
         l.stabilisation, l.fracture, l.crushing, l.integrator, l.imbalance);
-    for (const FractureEvent& event : record.broken) {
+    for (const fracture::FractureEvent& event : record.broken) {
       add(event.floe, event.p_G.x(), event.p_G.y(), event.energy, event.length, event.radius, event.ratio, event.brash);
       for (const std::int64_t piece : event.pieces) add(piece);
     }
@@ -200,13 +201,13 @@ class GoingOn : public ::testing::TestWithParam<Case> {
  protected:
   GoingOn() {
     folder.write("wedge.stl", k_wedge);
-    scene = read_scene(folder.write(
+    scene = scene::read_scene(folder.write(
         "scene.xml", std::string("<scene version='1'><time step='0.01' end='10'/>") + GetParam().scene + "</scene>"));
   }
   std::unique_ptr<Simulation> build(int threads = 1) { return std::make_unique<Simulation>(scene, threads, warnings); }
 
   test::ScratchFolder folder;
-  Scene scene;
+  scene::Scene scene;
   WarningCounts warnings{make_logger("off", "")};
 };
 
@@ -268,7 +269,7 @@ INSTANTIATE_TEST_SUITE_P(All, GoingOn, ::testing::ValuesIn(k_cases),
 /// A pair that no <friction> names is told once, also by a run that goes on.
 TEST(Checkpoint, DoesNotWarnAgain) {
   const test::ScratchFolder folder;
-  const Scene scene = read_scene(
+  const scene::Scene scene = scene::read_scene(
       folder.write("scene.xml",
                    "<scene version='1'><contact><friction between='ice ice' static='0.3' kinetic='0.3'/></contact>"
                    "<body name='ground' shape='plane' fixed='true'/><body shape='box' position='0 0 0.5'/></scene>"));
@@ -292,7 +293,7 @@ TEST(Checkpoint, DoesNotWarnAgain) {
 TEST(Checkpoint, RefusesTheStateOfAnotherScene) {
   const test::ScratchFolder folder;
   const auto scene = [&](const std::string& bodies) {
-    return read_scene(folder.write("scene.xml", "<scene version='1'>" + bodies + "</scene>"));
+    return scene::read_scene(folder.write("scene.xml", "<scene version='1'>" + bodies + "</scene>"));
   };
   WarningCounts warnings{make_logger("off", "")};
   const std::string one = "<body shape='box' position='0 0 0'/>";
@@ -383,7 +384,7 @@ void expect_refusal(const fs::path& file, const CheckpointOrigin& origin, const 
 }
 
 void write_with_version(const std::string& format, int version, const fs::path& path) {
-  Hdf5Writer file;
+  hdf5::Hdf5Writer file;
   file.add("format", format);
   file.add("version", std::vector<int>{version});
   file.save(path);

@@ -59,7 +59,7 @@ struct Rig : SceneRig {
     return contact.find("integrator") == std::string::npos ? contact + " integrator='semi-implicit-euler'" : contact;
   }
 
-  StepRecord step() { return simulation.step(); }
+  sim::StepRecord step() { return simulation.step(); }
   /// Largest x of the surface of a body.
   double front(std::size_t b) const {
     double x = -1e300;
@@ -69,8 +69,8 @@ struct Rig : SceneRig {
   }
   /// Index of the only body that is not a floe.
   std::size_t hull() const {
-    const auto found =
-        std::find_if(bodies().kind.begin(), bodies().kind.end(), [](BodyKind k) { return k != BodyKind::floe; });
+    const auto found = std::find_if(bodies().kind.begin(), bodies().kind.end(),
+                                    [](bodies::BodyKind k) { return k != bodies::BodyKind::floe; });
     return static_cast<std::size_t>(found - bodies().kind.begin());
   }
 };

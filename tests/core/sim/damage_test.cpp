@@ -9,6 +9,7 @@
 namespace {
 
 using namespace nilas;
+using namespace nilas::sim;
 using namespace nilas::test;
 
 constexpr double k_period = 0.5;

@@ -12,6 +12,7 @@
 namespace {
 
 using namespace nilas;
+using namespace nilas::sim;
 
 /// A loaded hull let go level, in heave balance, under heavy drag, rolls and pitches about the solved pose and settles
 /// there: the means over its last ten seconds.
@@ -23,12 +24,12 @@ TEST(Floating, ADraggedHullSettlesInTheSolvedEquilibrium) {
   <vessel position="0 0" heading_deg="30"><hull generate="icebreaker" length="3" beam="0.6" depth="0.5"/>
     <mass value="250" cog="1.57 0.008 0.2"/></vessel></scene>
 )");
-  const Scene scene = read_scene(file);
+  const scene::Scene scene = scene::read_scene(file);
   WarningCounts warnings(make_logger("off", ""));
   const WorldParts parts = build_world(scene, 1, warnings);
   const auto b = static_cast<std::size_t>(parts.vessel_index);
-  const FloatingEquilibrium solved =
-      floating_equilibrium(*parts.bodies.shape[b], parts.bodies.mass[b], parts.bodies.q_GB[b], *parts.water);
+  const hydro::FloatingEquilibrium solved =
+      hydro::floating_equilibrium(*parts.bodies.shape[b], parts.bodies.mass[b], parts.bodies.q_GB[b], *parts.water);
   ASSERT_TRUE(solved.stable());
   ASSERT_GT(std::abs(solved.trim), 0.01);
   ASSERT_GT(std::abs(solved.heel), 0.01);

@@ -11,6 +11,7 @@
 namespace {
 
 using namespace nilas;
+using namespace nilas::sim;
 
 std::string scene_of(const std::string& content) {
   return R"(<scene version="1" name="ice"><time step="0.01" end="60"/><seed value="3"/>
@@ -24,7 +25,7 @@ WorldParts world_of(const std::string& content) {
   const test::ScratchFolder folder;
   folder.write("floes.json", "[[0,0,3,0,3,1,1,1,1,2,0,2]]");
   WarningCounts warnings(make_logger("off", ""));
-  return build_world(read_scene(folder.write("scene.xml", scene_of(content))), 1, warnings);
+  return build_world(scene::read_scene(folder.write("scene.xml", scene_of(content))), 1, warnings);
 }
 
 /// Packed to 95 % without overlap, floes float in their places: nothing touches and nothing moves.
@@ -34,7 +35,7 @@ TEST(IceFields, ADenseFieldAtRestStaysAtRest) {
       "scene.xml", scene_of(R"(<tank length="6" width="4" depth="2"/><ice thickness="0.04"><field region="0 -2 6 2"
         concentration="0.95" overlap_tolerance="0"><size mean="0.5" sd="0.15" min="0.25" max="0.9"/></field></ice>)"));
   WarningCounts warnings(make_logger("off", ""));
-  Simulation simulation(read_scene(file), 1, warnings);
+  Simulation simulation(scene::read_scene(file), 1, warnings);
   const std::vector<Vec3> start = simulation.bodies().p_GB;
   ASSERT_GT(simulation.info().floes, 60);
   EXPECT_NEAR(simulation.info().concentration, 0.95, 0.02);
@@ -59,7 +60,7 @@ TEST(IceFields, ALevelSheetLeavesTheHullAndItsTrackFree) {
   const int sheet = parts.bodies.size() - 1;
   EXPECT_FALSE(parts.bodies.is_free(sheet));
   // hull and margin: 1.1 m broad, open from the bow at x = 4 to the edge behind the stern, at x = 12
-  const double area = polygon_moments(parts.bodies.shape[sheet]->outline).area;
+  const double area = geometry::polygon_moments(parts.bodies.shape[sheet]->outline).area;
   EXPECT_NEAR(area, 96 - (0.05 + 8 - 0.5) * 1.1, 0.1);
 }
 

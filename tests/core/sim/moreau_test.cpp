@@ -9,6 +9,7 @@
 namespace {
 
 using namespace nilas;
+using namespace nilas::sim;
 
 struct Rig : test::SceneRig {
   using SceneRig::SceneRig;

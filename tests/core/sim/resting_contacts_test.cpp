@@ -11,6 +11,7 @@
 namespace {
 
 using namespace nilas;
+using namespace nilas::sim;
 
 struct Rig : test::SceneRig {
   explicit Rig(const std::string& body) : SceneRig(test::steps_of(0.01) + body) {}
@@ -101,7 +102,7 @@ TEST(Sliding, OverAnEdgeIsQuasiStatic) {
         std::to_string(yaw) + " 0 0'/>");
     double noise = 0, across = 0;
     int steps = 0;
-    const Bodies& bodies = rig.simulation.bodies();
+    const bodies::Bodies& bodies = rig.simulation.bodies();
     while (bodies.p_GB[1].x() < -k_speed * k_h) {
       const Vec3 before = bodies.v_GB[1];
       rig.step();

@@ -48,46 +48,46 @@ struct SceneRig {
   /// `inside` is the content of <scene>. The scene's folder holds the files, and a hull box.stl of 2 m x 1 m x 0.5 m
   /// about its frame's origin.
   explicit SceneRig(const std::string& inside, int threads = 1, const Files& files = {})
-      : scene(read_scene(write(inside, files))), simulation(scene, threads, warnings) {}
+      : scene(scene::read_scene(write(inside, files))), simulation(scene, threads, warnings) {}
 
   /// One step whose momenta balance, joints included, to `share` of their scales and `rounding` [N s, N m s].
-  StepRecord balanced_step(double share, double rounding) {
-    StepRecord record = simulation.step();
+  sim::StepRecord balanced_step(double share, double rounding) {
+    sim::StepRecord record = simulation.step();
     EXPECT_LE(record.momentum_imbalance, share * record.momentum_scale + rounding);
     EXPECT_LE(record.angular_momentum_imbalance, share * record.angular_momentum_scale + rounding);
     return record;
   }
-  const Bodies& bodies() const { return simulation.bodies(); }
+  const bodies::Bodies& bodies() const { return simulation.bodies(); }
 
   ScratchFolder folder;
-  Scene scene;
+  scene::Scene scene;
   WarningCounts warnings{make_logger("off", "")};
-  Simulation simulation;
+  sim::Simulation simulation;
 
  private:
   std::filesystem::path write(const std::string& inside, const Files& files) const {
-    write_stl(box_shape(Vec3(2, 1, 0.5)).surface, folder / "box.stl");
+    geometry::write_stl(geometry::box_shape(Vec3(2, 1, 0.5)).surface, folder / "box.stl");
     for (const auto& [name, content] : files) folder.write(name, content);
     return folder.write("scene.xml", "<scene version='1'>" + inside + "</scene>");
   }
 };
 
 /// The energy account of the run so far closes to `share` of its energies and 1 J.
-inline void expect_energy_kept(const StepRecord& record, double share) {
-  const Ledger& energy = record.ledger;
+inline void expect_energy_kept(const sim::StepRecord& record, double share) {
+  const sim::Ledger& energy = record.ledger;
   EXPECT_LE(std::abs(energy.imbalance), share * (1 + energy.kinetic + std::abs(energy.potential)));
 }
 
 /// A scene of a vessel with joints or rods. Its steps must balance their momenta and close their energy ledger.
 struct JointedSceneRig : SceneRig {
   using SceneRig::SceneRig;
-  StepRecord step() {
-    const StepRecord record = balanced_step(1e-11, 1e-13);
+  sim::StepRecord step() {
+    const sim::StepRecord record = balanced_step(1e-11, 1e-13);
     expect_energy_kept(record, 1e-9);
     return record;
   }
-  StepRecord run(int steps) {
-    StepRecord record;
+  sim::StepRecord run(int steps) {
+    sim::StepRecord record;
     for (int k = 0; k < steps; ++k) record = step();
     return record;
   }

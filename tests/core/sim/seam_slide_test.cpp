@@ -14,6 +14,7 @@
 namespace {
 
 using namespace nilas;
+using namespace nilas::sim;
 
 /// Triangles of a box as an STL solid; the faces toward +y and +z in `cells` stretches of x.
 std::string box_stl(const Vec3& low, const Vec3& high, int cells) {
@@ -87,7 +88,7 @@ Course slide(const Barge& barge, const Push& push, const std::string& stabilisat
     const auto& [from, to] = barge.stretches[k];
     folder.write("hull/part-0" + std::to_string(k + 1) + ".stl", box_stl({from, -1, -0.5}, {to, 0, 0.5}, barge.facets));
   }
-  const Scene scene = read_scene(folder.write("scene.xml", scene_text(push, stabilisation)));
+  const scene::Scene scene = scene::read_scene(folder.write("scene.xml", scene_text(push, stabilisation)));
   WarningCounts warnings{make_logger("off", "")};
   Simulation simulation(scene, 1, warnings);
   const auto floe = static_cast<std::size_t>(1 - simulation.vessel_index());

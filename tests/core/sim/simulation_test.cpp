@@ -13,6 +13,7 @@
 namespace {
 
 using namespace nilas;
+using namespace nilas::sim;
 
 struct Rig : test::SceneRig {
   using SceneRig::SceneRig;
@@ -78,7 +79,7 @@ TEST(Simulation, ASlopeBetweenTheTwoCoefficientsHoldsWhatRestsAndNotWhatSlides) 
         "<body name='box' shape='box' size='1 1 0.2' mass='2' position='0 0 0.1' velocity='" +
         std::to_string(start) + " 0 0'/>");
     const auto record = rig.run(50);
-    EXPECT_EQ(record.status, SolveStatus::converged);
+    EXPECT_EQ(record.status, contact::SolveStatus::converged);
     const double expected = start > 0 ? start + 0.5 * (3.355217606 - 0.3 * 9.218384585) : 0;
     EXPECT_NEAR(rig.simulation.bodies().v_GB[1].x(), expected, 1e-7) << "from " << start;
   }
@@ -90,7 +91,7 @@ TEST(Simulation, TwoFloesCollideWithoutLossOfMomentum) {
           "<floe name='a' outline='0 0 1 0 1 1 0 1' velocity='0.5 0 0'/>"
           "<floe name='b' outline='1.05 0.3 2 0.3 2 1.3 1.05 1.3'/></ice>");
   rig.run(100);
-  const Bodies& bodies = rig.simulation.bodies();
+  const bodies::Bodies& bodies = rig.simulation.bodies();
   const Vec3 momentum = bodies.mass[0] * bodies.v_GB[0] + bodies.mass[1] * bodies.v_GB[1];
   EXPECT_NEAR(momentum.x(), bodies.mass[0] * 0.5, 1e-12);
   EXPECT_NEAR(momentum.y(), 0, 1e-12);

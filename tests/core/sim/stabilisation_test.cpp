@@ -11,6 +11,7 @@
 namespace {
 
 using namespace nilas;
+using namespace nilas::sim;
 
 constexpr double k_step = 0.01, k_gravity = 9.81, k_depth = 1e-3, k_mass = 3;
 
@@ -93,26 +94,26 @@ TEST(Stabilisation, SplitImpulseTakesItsShareAtRest) {
 TEST(Stabilisation, ProjectionLetsNothingDriftAtRest) {
   BoxOnGround box("projection", 0);
   for (int k = 0; k < 100000; ++k) box.simulation.step();
-  const Bodies& bodies = box.simulation.bodies();
+  const bodies::Bodies& bodies = box.simulation.bodies();
   EXPECT_LE((bodies.p_GB[1] - Vec3(0, 0, 0.2)).norm(), 1e-9);
   EXPECT_LE(Quat::Identity().angularDistance(bodies.q_GB[1]), 1e-9);
 }
 
 /// A wall that tilts a box: the carried points are where the bodies' own points are.
 TEST(Stabilisation, CarriedPointsFollowTheirBodies) {
-  Bodies bodies;
+  bodies::Bodies bodies;
   for (double x : {0.0, 1.0}) {
-    BodySpec spec;
+    bodies::BodySpec spec;
     spec.name = "b";
-    spec.shape = std::make_shared<const Shape>(box_shape({1, 1, 1}));
+    spec.shape = std::make_shared<const geometry::Shape>(geometry::box_shape({1, 1, 1}));
     spec.mass = 1;
     spec.pose.p = Vec3(x, 0, 0);
     bodies.add(spec);
   }
-  StepMotion motion;
+  contact::StepMotion motion;
   motion.p = bodies.p_GB;
   motion.R = bodies.R_GB;
-  ContactPoint point;
+  detect::ContactPoint point;
   point.a = 0;
   point.b = 1;
   point.p = Vec3(0.5, 0.5, 0);
@@ -123,7 +124,7 @@ TEST(Stabilisation, CarriedPointsFollowTheirBodies) {
   const Quat turn(Eigen::AngleAxisd(0.5 * k_pi, Vec3::UnitZ()));
   bodies.set_pose(0, Vec3::Zero(), turn);
   bodies.set_pose(1, turn * Vec3(1.002, 0, 0), turn);
-  const ContactPoint carried = carried_points(motion, bodies).front();
+  const detect::ContactPoint carried = contact::carried_points(motion, bodies).front();
   EXPECT_LE((carried.n - Vec3::UnitY()).norm(), 1e-15);
   EXPECT_NEAR(carried.gap, 0.012, 1e-15);
   EXPECT_LE((carried.p - Vec3(-0.5, 0.501, 0)).norm(), 1e-15);

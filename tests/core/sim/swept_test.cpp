@@ -13,6 +13,7 @@
 namespace {
 
 using namespace nilas;
+using namespace nilas::sim;
 
 constexpr double k_thickness = 0.01;
 constexpr double k_step = 0.01;
@@ -25,7 +26,7 @@ struct Rig : test::SceneRig {
     const StepRecord record = simulation.step();
     double momentum = 0, angular = 0;  // The rounding of these momenta bounds the accuracy of the balance.
     for (std::size_t b = 0; b < bodies().mass.size(); ++b) {
-      if (bodies().motion[b] == Motion::fixed) continue;
+      if (bodies().motion[b] == bodies::Motion::fixed) continue;
       const double own = bodies().mass[b] * bodies().v_GB[b].norm();
       momentum += own;
       angular += own * bodies().p_GB[b].norm() + bodies().inertia_B[b].norm() * bodies().w_GB[b].norm();
@@ -244,7 +245,7 @@ TEST(Swept, AMirroredHitStaysMirrored) {
                "0.3 0.1' velocity='90 " + y + "4 3' angular_velocity='" + (*y ? "2 3 -5" : "-2 3 5") + "'/>";
     Rig rig(scene);
     rig.run(5);
-    const Bodies& bodies = rig.bodies();
+    const bodies::Bodies& bodies = rig.bodies();
     EXPECT_GT(bodies.v_GB[0].x(), 1);
     EXPECT_NEAR(bodies.v_GB[0].y(), 0, 1e-9);
     EXPECT_NEAR((bodies.p_GB[1] - test::mirrored(bodies.p_GB[2])).norm(), 0, 1e-9);

@@ -14,6 +14,7 @@
 namespace {
 
 using namespace nilas;
+using namespace nilas::sim;
 
 /// Supports of the hull, which is 4 mm thick across x and 2 m wide and has a mass of 500 kg.
 const std::vector<std::string> k_vessels{"<carriage speed='0.5'><force_balance kind='rigid'/></carriage>",
@@ -51,8 +52,8 @@ struct Tally {
 
 void fly(const test::ScratchFolder& folder, const std::string& text, Tally& tally) {
   WarningCounts warnings{make_logger("off", "")};
-  Simulation simulation(read_scene(folder.write("scene.xml", text)), 1, warnings);
-  const Bodies& bodies = simulation.bodies();
+  Simulation simulation(scene::read_scene(folder.write("scene.xml", text)), 1, warnings);
+  const bodies::Bodies& bodies = simulation.bodies();
   const auto plate = static_cast<std::size_t>(bodies.size() - 1);
   try {
     for (int step = 0; step < 4; ++step) {
@@ -76,7 +77,7 @@ void fly(const test::ScratchFolder& folder, const std::string& text, Tally& tall
 
 TEST(SweptVessel, ThinPlatesDoNotPassAHullThatMoves) {
   const test::ScratchFolder folder;
-  write_stl(box_shape(Vec3(plates::k_thickness, 2, 2)).surface, folder / "hull.stl");
+  geometry::write_stl(geometry::box_shape(Vec3(plates::k_thickness, 2, 2)).surface, folder / "hull.stl");
   for (const std::string integrator : {"semi-implicit-euler", "moreau"})
     for (const std::string& vessel : k_vessels) {
       SCOPED_TRACE(integrator + " " + vessel);

@@ -11,6 +11,7 @@
 namespace {
 
 using namespace nilas;
+using namespace nilas::sim;
 
 using Rig = test::JointedSceneRig;
 
@@ -182,7 +183,7 @@ TEST(VesselParts, AreTowedOnSixCells) {
     for (int k = 0; k < 300; ++k) {
       const StepRecord record = rig.step();
       ASSERT_EQ(record.state_hash, other.step().state_hash);
-      const CarriageLoads& carriage = record.vessel->carriage.value();
+      const vessel::CarriageLoads& carriage = record.vessel->carriage.value();
       EXPECT_NEAR(carriage.cells[0], carriage.about_joint.force.x(), 1e-8);
       const Wrench& apart = carriage.disagreement.value();
       EXPECT_LT(apart.force.norm() + apart.torque.norm(), 1e-2);

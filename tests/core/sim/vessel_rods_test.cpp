@@ -11,6 +11,7 @@
 namespace {
 
 using namespace nilas;
+using namespace nilas::sim;
 
 using Rig = test::JointedSceneRig;
 
@@ -73,7 +74,7 @@ TEST(VesselRods, KeepTheirAccountsAndBitsAfloatAndInContact) {
       ASSERT_EQ(record.state_hash, two.step().state_hash);
       touched = std::max(touched, record.vessel->contact.force.norm());
       lost = std::max(lost, std::abs(record.ledger.integrator));
-      const Bodies& bodies = one.bodies();
+      const bodies::Bodies& bodies = one.bodies();
       const Vec3 on_barge = bodies.p_GB[1] + bodies.R_GB[1] * Vec3(1, 0.2, 0.1);
       const Vec3 on_hull = bodies.p_GB[0] + bodies.R_GB[0] * Vec3(-1, -0.4, 0);
       ASSERT_NEAR((on_barge - Vec3(5, 2, 0.6)).norm(), Vec3(1.9, 1.8, 0.5).norm(), 1e-13);

@@ -7,7 +7,7 @@
 #include "core/vessel/model/cells.h"
 #include "tests/core/vessel/example_vessel.h"
 
-namespace nilas {
+namespace nilas::vessel {
 namespace {
 
 constexpr double k_h = 0.01;
@@ -231,4 +231,4 @@ TEST(CarriageBalance, RefusesWhatCannotHold) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::vessel

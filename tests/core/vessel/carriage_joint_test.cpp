@@ -7,7 +7,7 @@
 #include "core/base/error.h"
 #include "tests/core/vessel/example_vessel.h"
 
-namespace nilas {
+namespace nilas::vessel {
 namespace {
 
 constexpr double k_h = 0.01;
@@ -298,4 +298,4 @@ TEST(CarriageJoint, GimbalLockIsASimulationError) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::vessel

@@ -8,7 +8,7 @@
 
 #include "tests/core/vessel/example_vessel.h"
 
-namespace nilas {
+namespace nilas::vessel {
 namespace {
 
 struct Largest {
@@ -106,4 +106,4 @@ TEST(CarriageReaction, LeavesTheVesselWhereItWas) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::vessel

@@ -3,7 +3,7 @@
 
 #include "tests/core/vessel/tree/jointed_example.h"
 
-namespace nilas {
+namespace nilas::vessel {
 namespace {
 
 /// Free, on every kind of carriage while it turns on its ramp, and with parts.
@@ -57,4 +57,4 @@ TEST(VesselAbandon, AStepTakenBackLeavesNoTrace) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::vessel

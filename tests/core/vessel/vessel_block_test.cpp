@@ -4,7 +4,7 @@
 #include "core/base/error.h"
 #include "tests/core/vessel/example_vessel.h"
 
-namespace nilas {
+namespace nilas::vessel {
 namespace {
 
 constexpr double k_h = 0.01;
@@ -105,4 +105,4 @@ TEST(VesselBlock, ImpossibleBodiesAreInputErrors) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::vessel

@@ -6,7 +6,7 @@
 #include "core/base/hash.h"
 #include "tests/core/vessel/example_vessel.h"
 
-namespace nilas {
+namespace nilas::vessel {
 namespace {
 
 VesselModel model_of(int kind) {
@@ -66,4 +66,4 @@ TEST(VesselSystemValue, MovesKeepTheState) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::vessel

@@ -5,7 +5,7 @@
 #include "core/base/error.h"
 #include "tests/core/vessel/example_vessel.h"
 
-namespace nilas {
+namespace nilas::vessel {
 namespace {
 
 constexpr double k_h = 0.01;
@@ -141,4 +141,4 @@ TEST(VesselSystemContract, StepsBeginBeforeTheyFinish) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::vessel

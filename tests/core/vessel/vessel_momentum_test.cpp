@@ -7,7 +7,7 @@
 
 #include "tests/core/vessel/example_vessel.h"
 
-namespace nilas {
+namespace nilas::vessel {
 namespace {
 
 constexpr double k_h = 0.01;
@@ -104,4 +104,4 @@ TEST(VesselMomentumFree, CarriageThatHoldsNothingIsNone) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::vessel

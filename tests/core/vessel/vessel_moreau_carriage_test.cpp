@@ -5,7 +5,7 @@
 
 #include "tests/core/vessel/example_vessel.h"
 
-namespace nilas {
+namespace nilas::vessel {
 namespace {
 
 constexpr double k_h = 0.01;
@@ -384,4 +384,4 @@ TEST(VesselMoreauCarriage, ATurnedFrameGivesTheTurnedMotion) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::vessel

@@ -7,7 +7,7 @@
 #include "core/vessel/tree/exponential_mode.h"
 #include "tests/core/vessel/example_vessel.h"
 
-namespace nilas {
+namespace nilas::vessel {
 namespace {
 
 constexpr double k_h = 0.01;
@@ -202,4 +202,4 @@ TEST(VesselMoreauCells, TransmitNothingOnFreeAxes) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::vessel

@@ -7,7 +7,7 @@
 #include "core/bodies/free_rotation.h"
 #include "tests/core/vessel/example_vessel.h"
 
-namespace nilas {
+namespace nilas::vessel {
 namespace {
 
 constexpr double k_h = 0.01;
@@ -41,7 +41,7 @@ TEST(VesselMoreauFree, MovesItsShareBeforeTheImpulses) {
   EXPECT_EQ(system.state().v, model.v);
   Quat q = start.pose.q;
   Vec3 w = model.w;
-  turn_freely(q, w, model.mass.inertia, model.mass.inertia.inverse(), (1 - 0.7) * k_h);
+  bodies::turn_freely(q, w, model.mass.inertia, model.mass.inertia.inverse(), (1 - 0.7) * k_h);
   EXPECT_EQ(system.state().pose.q.coeffs(), q.coeffs());
   EXPECT_EQ(system.state().w, w);
 }
@@ -216,4 +216,4 @@ TEST(VesselMoreauFree, StepsMoveBeforeTheyBegin) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::vessel

@@ -6,7 +6,7 @@
 
 #include "core/base/error.h"
 
-namespace nilas {
+namespace nilas::fracture {
 namespace {
 
 const std::vector<Vec2> k_square{{0, 0}, {4, 0}, {4, 4}, {0, 4}};
@@ -86,4 +86,4 @@ TEST(EdgeContact, AVerticalLoadHasNoCrackDirection) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::fracture

@@ -10,7 +10,7 @@
 #include "core/base/math.h"
 #include "fracture/bend/edge_integral.h"
 
-namespace nilas {
+namespace nilas::fracture {
 
 /// Both rows were computed from the same Fourier solution by other means, and rounded to these digits.
 TEST(EdgeLoad, StressFactorsOfTheTable) {
@@ -111,4 +111,4 @@ TEST(EdgeLoad, RefusesImpossibleInput) {
   EXPECT_THROW(EdgeLoad(0.3).stress_factor(0), ContractError);
 }
 
-}  // namespace nilas
+}  // namespace nilas::fracture

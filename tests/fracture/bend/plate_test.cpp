@@ -6,7 +6,7 @@
 
 #include "core/base/error.h"
 
-namespace nilas {
+namespace nilas::fracture {
 
 /// Values computed by hand from the definitions, in metres as printed.
 TEST(Plate, CharacteristicLengths) {
@@ -36,4 +36,4 @@ TEST(Plate, RefusesWhatIsNoPlate) {
   EXPECT_THROW(beam_characteristic_length({1, 5e9, 0.6}), ContractError);
 }
 
-}  // namespace nilas
+}  // namespace nilas::fracture

@@ -7,7 +7,7 @@
 #include "core/base/error.h"
 #include "core/base/math.h"
 
-namespace nilas {
+namespace nilas::fracture {
 
 namespace {
 
@@ -61,4 +61,4 @@ TEST(Resistance, RefusesImpossibleInput) {
   EXPECT_THROW(zuev_resistance(20, ice(), 1.1, 0), ContractError);
 }
 
-}  // namespace nilas
+}  // namespace nilas::fracture

@@ -7,7 +7,7 @@
 #include "core/base/error.h"
 #include "core/base/math.h"
 
-namespace nilas {
+namespace nilas::fracture {
 
 namespace {
 
@@ -78,4 +78,4 @@ TEST(SlopingStructure, RefusesImpossibleInput) {
   EXPECT_THROW(ralston_load({10, 80 * k_deg, true}, 4, 1, rough), ContractError);
 }
 
-}  // namespace nilas
+}  // namespace nilas::fracture

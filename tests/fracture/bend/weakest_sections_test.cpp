@@ -7,7 +7,7 @@
 #include "core/base/error.h"
 #include "core/base/math.h"
 
-namespace nilas {
+namespace nilas::fracture {
 namespace {
 
 /// Four wedges above the origin, breaking at 2 m where all ice is alike.
@@ -81,4 +81,4 @@ TEST(WeakestSections, Mirror) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::fracture

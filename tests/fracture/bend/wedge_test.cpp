@@ -12,7 +12,7 @@
 #include "core/base/error.h"
 #include "core/base/math.h"
 
-namespace nilas {
+namespace nilas::fracture {
 
 namespace {
 
@@ -177,4 +177,4 @@ TEST(Wedge, RadiusShrinksWithSpeed) {
   EXPECT_NEAR(bending_radius(table, 0.1, 14.268, 20, {-0.14}) / still, 0.25, 1e-12);
 }
 
-}  // namespace nilas
+}  // namespace nilas::fracture

@@ -8,12 +8,12 @@
 #include "core/base/random.h"
 #include "core/geometry/mesh.h"
 
-namespace nilas {
+namespace nilas::fracture {
 namespace {
 
 constexpr double k_round_off = 1e-12;  // relative; positions of order 1 m
 
-std::vector<HullFace> faces_of(const ConvexPolytope& polytope, int part = 0) {
+std::vector<HullFace> faces_of(const geometry::ConvexPolytope& polytope, int part = 0) {
   std::vector<HullFace> faces;
   for (const auto& face : polytope.faces) {
     std::vector<Vec3> loop;
@@ -23,30 +23,30 @@ std::vector<HullFace> faces_of(const ConvexPolytope& polytope, int part = 0) {
   return faces;
 }
 
-ConvexPolytope moved(ConvexPolytope polytope, const Placement& by) {
+geometry::ConvexPolytope moved(geometry::ConvexPolytope polytope, const Placement& by) {
   for (Vec3& x : polytope.vertices) x = by.point(x);
-  complete(polytope);
+  geometry::complete(polytope);
   return polytope;
 }
 
 /// A wedge whose edge stands at x = 0, opening to -x with half angle `half`; flare leans its sides out upwards. Sides
 /// are faces 0 and 1.
-ConvexPolytope wedge(double half, double length, double bottom, double top, double flare) {
+geometry::ConvexPolytope wedge(double half, double length, double bottom, double top, double flare) {
   const double lean = std::tan(flare) / std::cos(half);  // of the side's trace along y per height
-  ConvexPolytope p;
+  geometry::ConvexPolytope p;
   for (const double z : {bottom, top}) {
     const double tip = lean * z / std::tan(half);  // the edge leans forward with the sides
     const double wide = length * std::tan(half) + lean * z;
     p.vertices.insert(p.vertices.end(), {Vec3(tip, 0, z), Vec3(-length, wide, z), Vec3(-length, -wide, z)});
   }
   p.faces = {{1, 4, 3, 0}, {3, 5, 2, 0}, {2, 1, 0}, {4, 5, 3}, {2, 5, 4, 1}};
-  complete(p);
+  geometry::complete(p);
   return p;
 }
 
 /// A sheet from x = edge on, 4 m long and 6 m wide, with its mid-plane at z = 0.
-std::vector<ConvexPolytope> sheet(double edge, double thickness) {
-  return {make_prism({{edge, -3}, {edge + 4, -3}, {edge + 4, 3}, {edge, 3}}, -thickness / 2, thickness / 2)};
+std::vector<geometry::ConvexPolytope> sheet(double edge, double thickness) {
+  return {geometry::make_prism({{edge, -3}, {edge + 4, -3}, {edge + 4, 3}, {edge, 3}}, -thickness / 2, thickness / 2)};
 }
 
 TEST(ContactArea, OfAVerticalWedgeInAStraightEdge) {
@@ -87,7 +87,7 @@ TEST(ContactArea, OfAFlaredWedge) {
 TEST(ContactArea, OfAConesFacets) {
   constexpr int k_sides = 24;
   const double h = 0.5, slope = 1.0, at_top = 0.6;  // radius of the corners grows by 1/tan(slope) per depth
-  ConvexPolytope cone;
+  geometry::ConvexPolytope cone;
   const double top = h / 2 + 0.3, bottom = -h / 2 - 0.2;
   const auto radius = [&](double z) { return at_top + (h / 2 - z) / std::tan(slope); };
   for (const double z : {bottom, top})
@@ -104,7 +104,7 @@ TEST(ContactArea, OfAConesFacets) {
   }
   cone.faces.push_back(lower);
   cone.faces.push_back(upper);
-  complete(cone);
+  geometry::complete(cone);
   const auto found = faces_in_ice(faces_of(cone), {Mat3::Identity(), Vec3(2, 0, 0)}, sheet(0, h));
   const double inner = std::cos(k_pi / k_sides), chord = 2 * std::sin(k_pi / k_sides);
   const double slant = std::hypot(h, (radius(-h / 2) - radius(h / 2)) * inner);
@@ -114,11 +114,11 @@ TEST(ContactArea, OfAConesFacets) {
 }
 
 TEST(ContactArea, OfFloesInPiecesIsThatOfTheWhole) {
-  const auto hull = faces_of(moved(make_box(Vec3(1, 0.7, 2)),
+  const auto hull = faces_of(moved(geometry::make_box(Vec3(1, 0.7, 2)),
                                    {Mat3(Eigen::AngleAxisd(0.3, Vec3(1, 2, 3).normalized())), Vec3(0.1, 0.2, 0.05)}));
-  const ConvexPolytope whole = make_prism({{0, -3}, {4, -3}, {4, 3}, {0, 3}}, -0.1, 0.1);
-  const ConvexPolytope left = make_prism({{0, -3}, {4, -3}, {4, 0.13}, {0, 0.27}}, -0.1, 0.1);
-  const ConvexPolytope right = make_prism({{0, 0.27}, {4, 0.13}, {4, 3}, {0, 3}}, -0.1, 0.1);
+  const geometry::ConvexPolytope whole = geometry::make_prism({{0, -3}, {4, -3}, {4, 3}, {0, 3}}, -0.1, 0.1);
+  const geometry::ConvexPolytope left = geometry::make_prism({{0, -3}, {4, -3}, {4, 0.13}, {0, 0.27}}, -0.1, 0.1);
+  const geometry::ConvexPolytope right = geometry::make_prism({{0, 0.27}, {4, 0.13}, {4, 3}, {0, 3}}, -0.1, 0.1);
   const double area = total_area(faces_in_ice(hull, {}, {whole}));
   ASSERT_GT(area, 0.05);
   EXPECT_NEAR(total_area(faces_in_ice(hull, {}, {left, right})), area, k_round_off * area);
@@ -138,12 +138,15 @@ TEST(ContactArea, DoesNotDependOnTheFrame) {
 TEST(ContactArea, OfAFaceInTheIcesSurface) {
   const auto floe = sheet(0, 0.2);
   // a box of the ice's own height: its top and bottom have no ice in front of them
-  const auto level = faces_in_ice(faces_of(make_box(Vec3(1, 1, 0.2))), {Mat3::Identity(), Vec3(0.3, 0, 0)}, floe);
+  const auto level =
+      faces_in_ice(faces_of(geometry::make_box(Vec3(1, 1, 0.2))), {Mat3::Identity(), Vec3(0.3, 0, 0)}, floe);
   EXPECT_NEAR(total_area(level), (1 + 0.8 + 0.8) * 0.2, k_round_off) << "front and two sides";
   // a box that stands on the ice
-  const auto on_top = faces_in_ice(faces_of(make_box(Vec3(1, 1, 1))), {Mat3::Identity(), Vec3(1, 0, 0.6)}, floe);
+  const auto on_top =
+      faces_in_ice(faces_of(geometry::make_box(Vec3(1, 1, 1))), {Mat3::Identity(), Vec3(1, 0, 0.6)}, floe);
   EXPECT_NEAR(total_area(on_top), 1, k_round_off);
-  const auto apart = faces_in_ice(faces_of(make_box(Vec3(1, 1, 1))), {Mat3::Identity(), Vec3(1, 0, 0.61)}, floe);
+  const auto apart =
+      faces_in_ice(faces_of(geometry::make_box(Vec3(1, 1, 1))), {Mat3::Identity(), Vec3(1, 0, 0.61)}, floe);
   EXPECT_TRUE(apart.empty());
 }
 
@@ -171,7 +174,7 @@ TEST(PressurePoints, ReproduceForceMomentAndSecondMoment) {
 /// The reference is the formula for the second moments of a triangle.
 TEST(PressurePoints, SpreadOfATriangle) {
   const auto hull = std::vector<HullFace>{make_hull_face(0, {Vec3(0, 0, 0), Vec3(0.3, 0, 0), Vec3(0, 0.6, 0)})};
-  const auto found = faces_in_ice(hull, {}, {make_box(Vec3(4, 4, 4))});
+  const auto found = faces_in_ice(hull, {}, {geometry::make_box(Vec3(4, 4, 4))});
   ASSERT_EQ(found.size(), 1u);
   EXPECT_NEAR(found[0].area, 0.09, k_round_off);
   EXPECT_NEAR(found[0].spread(0, 0), 0.3 * 0.3 / 18, k_round_off);
@@ -180,4 +183,4 @@ TEST(PressurePoints, SpreadOfATriangle) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::fracture

@@ -7,7 +7,7 @@
 
 #include "fracture/crush/crushed_depth.h"
 
-namespace nilas {
+namespace nilas::fracture {
 namespace {
 
 TEST(CrushingLaw, PressureByModel) {
@@ -76,4 +76,4 @@ TEST(CrushedDepth, GoesOnFromItsState) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::fracture

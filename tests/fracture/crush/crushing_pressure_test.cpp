@@ -6,7 +6,7 @@
 
 #include "core/base/error.h"
 
-namespace nilas {
+namespace nilas::fracture {
 
 TEST(CrushingPressure, PowerOfTheArea) {
   const PressureArea law{3e6, -0.5};
@@ -76,4 +76,4 @@ TEST(CrushingPressure, RefusesImpossibleInput) {
   EXPECT_THROW(stop_by_crushing({0, 1, 1, 1e6, 0}), ContractError);
 }
 
-}  // namespace nilas
+}  // namespace nilas::fracture

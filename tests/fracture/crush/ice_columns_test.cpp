@@ -7,22 +7,24 @@
 #include "core/geometry/mass_properties.h"
 #include "core/geometry/polygon.h"
 
-namespace nilas {
+namespace nilas::fracture {
 namespace {
 
 const Vec2 k_low(-10, -10), k_high(10, 10);
 
-std::vector<char> all_outer(const ConvexPolytope& part) { return std::vector<char>(part.normals.size(), 1); }
+std::vector<char> all_outer(const geometry::ConvexPolytope& part) { return std::vector<char>(part.normals.size(), 1); }
 
-double area_of(const std::vector<Vec2>& polygon) { return polygon.empty() ? 0 : polygon_moments(polygon).area; }
+double area_of(const std::vector<Vec2>& polygon) {
+  return polygon.empty() ? 0 : geometry::polygon_moments(polygon).area;
+}
 
 TEST(IceColumns, OfABoxKeepTheMarginFromItsSides) {
-  const ConvexPolytope box = make_box({2, 3, 4});
+  const geometry::ConvexPolytope box = geometry::make_box({2, 3, 4});
   const Placement above{Mat3::Identity(), {0.5, 0, 0.7}};
   const auto columns = columns_inside(box, all_outer(box), above, 0.2, 0.1, k_low, k_high);
   EXPECT_NEAR(area_of(columns), 1.8 * 2.8, 1e-12);
-  EXPECT_TRUE(contains(columns, {1.39, 1.39}));
-  EXPECT_FALSE(contains(columns, {1.41, 0}));
+  EXPECT_TRUE(geometry::contains(columns, {1.39, 1.39}));
+  EXPECT_FALSE(geometry::contains(columns, {1.41, 0}));
   // its lower face lies within the ice from p_z = 1.9 on: no column is inside
   EXPECT_NEAR(area_of(columns_inside(box, all_outer(box), {Mat3::Identity(), {0, 0, 1.89}}, 0.2, 0, k_low, k_high)), 6,
               1e-12);
@@ -32,7 +34,7 @@ TEST(IceColumns, OfABoxKeepTheMarginFromItsSides) {
 
 /// A side that leans outward by 45 degrees stands farther out at the top: the columns end where it is at the bottom.
 TEST(IceColumns, EndAtTheNarrowestSectionOverTheThickness) {
-  const ConvexPolytope box = make_box({2, 2, 2});
+  const geometry::ConvexPolytope box = geometry::make_box({2, 2, 2});
   const Mat3 turned(Eigen::AngleAxisd(k_pi / 4, Vec3::UnitY()));
   const auto columns = columns_inside(box, all_outer(box), {turned, Vec3::Zero()}, 0.4, 0, k_low, k_high);
   // in the plane y = 0 a square on its corner, |x| + |z| <= sqrt 2
@@ -42,7 +44,7 @@ TEST(IceColumns, EndAtTheNarrowestSectionOverTheThickness) {
 }
 
 TEST(IceColumns, GoOnAcrossFacesBetweenParts) {
-  const ConvexPolytope box = make_box({2, 2, 2});
+  const geometry::ConvexPolytope box = geometry::make_box({2, 2, 2});
   std::vector<HullFace> surface;
   for (std::size_t f = 0; f < box.faces.size(); ++f) {
     std::vector<Vec3> loop;
@@ -54,7 +56,7 @@ TEST(IceColumns, GoOnAcrossFacesBetweenParts) {
   for (std::size_t f = 0; f < box.faces.size(); ++f) EXPECT_EQ(outer[0][f], box.normals[f].x() < 0.5 ? 1 : 0);
   const auto columns = columns_inside(box, outer[0], {}, 0.1, 0.1, k_low, k_high);
   EXPECT_NEAR(area_of(columns), (1.9 + 0.1) * 1.8, 1e-12);
-  EXPECT_TRUE(contains(columns, {1.09, 0}));
+  EXPECT_TRUE(geometry::contains(columns, {1.09, 0}));
 }
 
 std::vector<Vec2> box(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}; }
@@ -92,8 +94,8 @@ TEST(CrushedIce, GroupsAreOfColumnsThatOverlap) {
 
 /// A wide box behind a narrow one: where the narrow one covers the wide one's front, the columns are one.
 TEST(CrushedIce, ColumnsOfPartsThatMeetOverlap) {
-  const ConvexPolytope wide = make_box({2, 2, 2}), narrow = make_box({1, 1, 2});
-  const auto outer = [](const ConvexPolytope& part, double covered) {
+  const geometry::ConvexPolytope wide = geometry::make_box({2, 2, 2}), narrow = geometry::make_box({1, 1, 2});
+  const auto outer = [](const geometry::ConvexPolytope& part, double covered) {
     std::vector<char> flags;
     for (const Vec3& n : part.normals) flags.push_back(n.x() * covered > 0.5 ? 0 : 1);
     return flags;
@@ -127,10 +129,10 @@ TEST(CrushedIce, LittleCornersBesideNewEdgesGo) {
     EXPECT_NE(std::find(outline.begin(), outline.end(), all[kept]), outline.end()) << kept;
   for (const std::size_t gone : {1, 2, 3})
     EXPECT_EQ(std::find(outline.begin(), outline.end(), all[gone]), outline.end()) << gone;
-  EXPECT_LE(polygon_moments(outline).area, polygon_moments(all).area);
+  EXPECT_LE(geometry::polygon_moments(outline).area, geometry::polygon_moments(all).area);
   is_new.assign(outline.size(), false);
   EXPECT_FALSE(trim_corners(outline, is_new, 0.1, 1)) << "old corners stay";
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::fracture

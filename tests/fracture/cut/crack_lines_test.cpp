@@ -11,6 +11,7 @@
 namespace {
 
 using namespace nilas;
+using namespace nilas::fracture;
 using namespace nilas::test;
 
 const Outline k_square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
@@ -98,7 +99,8 @@ TEST(WedgeCracks, BreakStraightChordedWedgesFromAnEdge) {
   ASSERT_EQ(cut.pieces.size(), 4u);
   const double wedge = 0.5 * 0.4 * 0.4 * std::sin(k_pi / 3);
   int wedges = 0;
-  for (const CutPiece& piece : cut.pieces) wedges += std::abs(polygon_moments(piece.outline).area - wedge) < 1e-15;
+  for (const CutPiece& piece : cut.pieces)
+    wedges += std::abs(geometry::polygon_moments(piece.outline).area - wedge) < 1e-15;
   EXPECT_EQ(wedges, 3);
   // two radial cracks inside, the outer two lie along the edge
   EXPECT_NEAR(cut.crack_length, 2 * 0.4 + 3 * 0.4, 1e-14);
@@ -116,7 +118,7 @@ TEST(WedgeCracks, KeepToTheArcWithinTheTolerance) {
     ASSERT_EQ(cut.pieces.size(), 4u);
     double broken = 0;
     for (const CutPiece& piece : cut.pieces)
-      if (const double area = polygon_moments(piece.outline).area; area < 0.2) broken += area;
+      if (const double area = geometry::polygon_moments(piece.outline).area; area < 0.2) broken += area;
     // every chord leaves a segment of at most 2/3 chord times sagitta; the arc is 0.4 pi long
     EXPECT_NEAR(broken, 0.5 * k_pi * 0.16, 2.0 / 3 * 0.4 * k_pi * tolerance);
   }
@@ -160,7 +162,7 @@ TEST(WedgeCracks, BreakFromARandomEdgePoint) {
     const WedgeFan fan = fan_across(outline, near, random.uniform(0.3, 2), random.uniform(0.02, 0.5), 0.01);
     const CutResult cut = cut_outline(outline, wedge_cracks(fan));
     ASSERT_FALSE(cut.pieces.empty()) << i << cut.message;
-    EXPECT_LE(area_error(outline, cut.pieces), 1e-12 * polygon_moments(outline).area);
+    EXPECT_LE(area_error(outline, cut.pieces), 1e-12 * geometry::polygon_moments(outline).area);
     pieces += static_cast<int>(cut.pieces.size());
   }
   EXPECT_GT(pieces, 600);

@@ -11,7 +11,7 @@
 #include "fracture/cut/crack_lines.h"
 #include "fracture/cut/cut_outline.h"
 
-namespace nilas {
+namespace nilas::fracture {
 namespace {
 
 /// A floe of 10 m by 8 m, entered in the middle of its lower side.
@@ -145,12 +145,12 @@ TEST(CrackPath, ComesOutOfAnyFloe) {
     const int corners = 3 + static_cast<int>(random.uniform(0, 12));
     for (int k = 0; k < corners; ++k)
       floe.emplace_back(turned({random.uniform(0.4, 2), 0}, 2 * k_pi * (k + random.uniform(0, 0.8)) / corners));
-    if (!is_simple(floe) || is_clockwise(floe)) continue;
+    if (!geometry::is_simple(floe) || geometry::is_clockwise(floe)) continue;
     LocalIce ice;
     const Vec2 wave(random.uniform(-6, 6), random.uniform(-6, 6));
     ice.fracture_toughness = [wave](const Vec2& x) { return k_toughness * (1 + 0.8 * std::sin(wave.dot(x))); };
     for (int k = 0; k < 6; ++k) {
-      WeakLine line{{}, random.uniform(0.05, 1)};
+      bodies::WeakLine line{{}, random.uniform(0.05, 1)};
       for (int i = 0; i < 3; ++i) line.points.emplace_back(random.uniform(-2, 2), random.uniform(-2, 2));
       if (k == 0) line.points.front() = floe.front();
       ice.weak_lines.push_back(line);
@@ -160,7 +160,7 @@ TEST(CrackPath, ComesOutOfAnyFloe) {
     if (ahead.empty()) continue;
     const CrackPath path = crack_path(floe, ahead.front().start, angle, random.uniform(0.02, 1), k_toughness, ice);
     ASSERT_EQ(path.toughness.size() + 1, path.points.size());
-    EXPECT_FALSE(contains(floe, path.points.back())) << n;
+    EXPECT_FALSE(geometry::contains(floe, path.points.back())) << n;
     EXPECT_LT(path.points.size(), 5000u);
     const CutResult result = cut_outline(floe, {path.points});
     EXPECT_TRUE(result.status == CutStatus::cut || result.status == CutStatus::uncut) << n << ": " << result.message;
@@ -175,4 +175,4 @@ TEST(CrackPath, RefusesImpossibleInput) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::fracture

@@ -10,6 +10,7 @@
 namespace {
 
 using namespace nilas;
+using namespace nilas::fracture;
 using namespace nilas::test;
 
 FloeState plate(double length, double width) {
@@ -17,7 +18,7 @@ FloeState plate(double length, double width) {
   floe.outline = {
       {-length / 2, -width / 2}, {length / 2, -width / 2}, {length / 2, width / 2}, {-length / 2, width / 2}};
   floe.thickness = 0.5;
-  const MassProperties m = prism_properties(floe.outline, floe.thickness, 900);
+  const geometry::MassProperties m = geometry::prism_properties(floe.outline, floe.thickness, 900);
   floe.mass = m.mass;
   floe.inertia_B = m.inertia;
   return floe;
@@ -38,7 +39,7 @@ TEST(CutFloe, HalvesOfATurningPlateFlyApartAsTheirCentresMoved) {
   EXPECT_EQ(left.w_GB, floe.w_GB);
   EXPECT_DOUBLE_EQ(left.mass, floe.mass / 2);
   EXPECT_DOUBLE_EQ(cut.pieces[0].area, 4);
-  const MassProperties half = prism_properties(left.outline, 0.5, 900);
+  const geometry::MassProperties half = geometry::prism_properties(left.outline, 0.5, 900);
   EXPECT_NEAR((left.inertia_B - half.inertia).norm(), 0, 1e-12 * half.inertia.norm());
   EXPECT_LE(motion_error(floe, cut).worst(), 1e-15 * 4);
 }
@@ -48,8 +49,8 @@ TEST(CutFloe, PiecesInheritWhatTheIceIs) {
   for (const FloePiece& piece : cut_floe(floe, {{{-5, 0.3}, {5, 0.1}}, {{1, -2}, {0, 2}}}, {}).pieces) {
     EXPECT_EQ(piece.state.thickness, floe.thickness);
     EXPECT_NEAR(piece.state.mass / (piece.area * floe.thickness), 900, 900 * 1e-14);
-    EXPECT_NEAR(polygon_moments(piece.state.outline).centroid.norm(), 0, 1e-15);
-    EXPECT_NEAR(prism_shape(piece.state.outline, floe.thickness).thickness, 0.5, 0);
+    EXPECT_NEAR(geometry::polygon_moments(piece.state.outline).centroid.norm(), 0, 1e-15);
+    EXPECT_NEAR(geometry::prism_shape(piece.state.outline, floe.thickness).thickness, 0.5, 0);
   }
 }
 

@@ -11,13 +11,14 @@
 namespace {
 
 using namespace nilas;
+using namespace nilas::fracture;
 using namespace nilas::test;
 
 const Outline k_square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
 /// Opens towards +x.
 const Outline k_u_shape{{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 2}, {3, 2}, {3, 3}, {0, 3}};
 
-double area_of(const CutPiece& piece) { return polygon_moments(piece.outline).area; }
+double area_of(const CutPiece& piece) { return geometry::polygon_moments(piece.outline).area; }
 
 TEST(CutOutline, ALineCutsASquareInTwoAndTellsTheNewEdges) {
   const CutResult cut = cut_outline(k_square, {{{0.25, -1}, {0.25, 2}}});

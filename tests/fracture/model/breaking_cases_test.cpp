@@ -10,12 +10,13 @@
 namespace {
 
 using namespace nilas;
+using namespace nilas::fracture;
 using namespace nilas::test;
 
-double mass_of_ice(const Bodies& bodies) {
+double mass_of_ice(const bodies::Bodies& bodies) {
   double sum = 0;
   for (std::size_t b = 0; b < bodies.id.size(); ++b)
-    if (bodies.kind[b] == BodyKind::floe) sum += bodies.mass[b];
+    if (bodies.kind[b] == bodies::BodyKind::floe) sum += bodies.mass[b];
   return sum;
 }
 
@@ -23,7 +24,7 @@ double mass_of_ice(const Bodies& bodies) {
 void expect_same_bits_after_restore(BreakingRig& rig, int steps) {
   State state;
   rig.simulation.save(StateWriter(state));
-  Simulation other(rig.scene, 1, rig.warnings);
+  sim::Simulation other(rig.scene, 1, rig.warnings);
   other.restore(StateReader(state));
   for (int k = 0; k < steps; ++k) ASSERT_EQ(rig.simulation.step().state_hash, other.step().state_hash) << k;
 }
@@ -37,7 +38,7 @@ TEST(BreakingCases, TwoFloesBreakInOneStep) {
       "<floe breakable='true' fixed='true' outline='0 -5 9 -5 9 0 0 0'/></ice>" +
       fracture());
   const double mass = mass_of_ice(rig.bodies());
-  const StepRecord record = rig.until_broken();
+  const sim::StepRecord record = rig.until_broken();
   ASSERT_EQ(record.broken.size(), 2u);
   const FractureEvent &one = record.broken[0], &two = record.broken[1];
   EXPECT_EQ(one.floe, 2);
@@ -63,13 +64,13 @@ TEST(BreakingCases, AFloeThatBecomesAllBrashIsGone) {
                   "<fracture flexural_strength='5e4' compressive_strength='2e5' min_area='100' small_pieces='brash'>"
                   "<crushing model='explicit'/><bending/></fracture>");
   const double mass = mass_of_ice(rig.bodies());
-  const StepRecord record = rig.until_broken();
+  const sim::StepRecord record = rig.until_broken();
   ASSERT_EQ(record.broken.size(), 1u);
   EXPECT_TRUE(record.broken[0].pieces.empty());
   EXPECT_NEAR(record.broken[0].brash, mass, 1e-12 * mass);
   EXPECT_EQ(rig.simulation.total("brash_mass"), record.broken[0].brash);
   ASSERT_EQ(rig.bodies().size(), 1) << "the vessel";
-  const StepRecord next = rig.simulation.step();
+  const sim::StepRecord next = rig.simulation.step();
   EXPECT_EQ(next.floes, 0);
   EXPECT_EQ(next.contacts, 0);
   EXPECT_EQ(next.vessel->contact.force, Vec3(0, 0, 0));
@@ -81,7 +82,7 @@ TEST(BreakingCases, MoreauBreaksAsSemiImplicitEulerDoes) {
   const std::string scene = bow("outline='0 -2 3 -1.5 3.5 1.5 0.1 2' velocity='-0.3 0.05 0'") + fracture();
   BreakingRig euler(scene, 2.5e-3), moreau(scene, 2.5e-3, 1, "integrator='moreau'");
   const double mass = mass_of_ice(moreau.bodies());
-  const StepRecord expected = euler.until_broken(), record = moreau.until_broken();
+  const sim::StepRecord expected = euler.until_broken(), record = moreau.until_broken();
   ASSERT_EQ(record.broken.size(), 1u);
   EXPECT_EQ(record.broken[0].kind, expected.broken[0].kind);
   EXPECT_NEAR(record.t, expected.t, 0.1 * expected.t);
@@ -105,7 +106,7 @@ TEST(BreakingCases, AnImpactThatCutsTheStepBreaksIce) {
             fracture(),
         0.01, 1, contact);
     const double mass = mass_of_ice(rig.bodies());
-    const StepRecord record = rig.until_broken(20);
+    const sim::StepRecord record = rig.until_broken(20);
     EXPECT_NEAR(mass_of_ice(rig.bodies()), mass, 1e-12 * mass);
     const double scale = std::abs(record.ledger.kinetic) + std::abs(record.ledger.potential);
     EXPECT_LE(std::abs(record.ledger.imbalance), 1e-11 * scale);
@@ -113,7 +114,7 @@ TEST(BreakingCases, AnImpactThatCutsTheStepBreaksIce) {
     expect_same_bits_after_restore(rig, 10);
     return record;
   };
-  const StepRecord whole = struck("integrator='semi-implicit-euler' substeps='1'"), cut = struck("substeps='4'");
+  const sim::StepRecord whole = struck("integrator='semi-implicit-euler' substeps='1'"), cut = struck("substeps='4'");
   EXPECT_EQ(whole.parts, 1);
   EXPECT_GT(cut.parts, 1);
   ASSERT_EQ(cut.broken.size(), 1u);
@@ -138,9 +139,9 @@ TEST(BreakingCases, ABoxGoesOnCrushingAnotherFloe) {
   bool broken = false;
   int crushing = 0;
   for (int k = 0; k < 60; ++k) {
-    const StepRecord record = breaks.simulation.step();
+    const sim::StepRecord record = breaks.simulation.step();
     EXPECT_TRUE(whole.simulation.step().broken.empty());
-    const auto box_of = [](const Bodies& bodies) {
+    const auto box_of = [](const bodies::Bodies& bodies) {
       return static_cast<std::size_t>(std::find(bodies.name.begin(), bodies.name.end(), "box") - bodies.name.begin());
     };
     const std::size_t one = box_of(breaks.bodies()), other = box_of(whole.bodies());

@@ -15,6 +15,7 @@
 namespace {
 
 using namespace nilas;
+using namespace nilas::fracture;
 using namespace nilas::test;
 
 using Rig = BreakingRig;
@@ -23,7 +24,7 @@ using Rig = BreakingRig;
 TEST(Breaking, ASheetBendsAtTheLoadOfItsWedges) {
   for (const double step : {0.01, 0.005, 0.0025, 0.00125}) {
     Rig rig(bow() + fracture(), step);
-    const StepRecord record = rig.until_broken();
+    const sim::StepRecord record = rig.until_broken();
     ASSERT_EQ(record.broken.size(), 1u);
     const FractureEvent& event = record.broken[0];
     EXPECT_EQ(event.kind, "bending");
@@ -41,22 +42,22 @@ TEST(Breaking, ASheetBendsAtTheLoadOfItsWedges) {
 TEST(Breaking, WedgesFloatFreeAndTheSheetStaysFixed) {
   Rig rig(bow() + fracture());
   const double mass = rig.bodies().mass[1];
-  const StepRecord record = rig.until_broken();
-  const Bodies& bodies = rig.bodies();
+  const sim::StepRecord record = rig.until_broken();
+  const bodies::Bodies& bodies = rig.bodies();
   const FractureEvent& event = record.broken[0];
   ASSERT_EQ(event.pieces.size(), 5u);
   EXPECT_EQ(event.floe, 2);
   EXPECT_EQ(event.pieces.front(), 3);
   ASSERT_EQ(bodies.size(), 6) << "the vessel and the pieces";
-  EXPECT_EQ(bodies.kind[0], BodyKind::vessel);
+  EXPECT_EQ(bodies.kind[0], bodies::BodyKind::vessel);
   EXPECT_EQ(bodies.name[1], "floe 1 piece 3");
   double sum = 0;
   int fixed = 0;
   for (std::size_t b = 1; b < 6; ++b) {
     sum += bodies.mass[b];
-    fixed += bodies.motion[b] == Motion::fixed ? 1 : 0;
-    const double area = polygon_moments(bodies.shape[b]->outline).area;
-    EXPECT_EQ(bodies.motion[b] == Motion::fixed, area > 50);
+    fixed += bodies.motion[b] == bodies::Motion::fixed ? 1 : 0;
+    const double area = geometry::polygon_moments(bodies.shape[b]->outline).area;
+    EXPECT_EQ(bodies.motion[b] == bodies::Motion::fixed, area > 50);
     EXPECT_EQ(bodies.R_GB[b], Mat3::Identity());
   }
   EXPECT_EQ(fixed, 1);
@@ -82,16 +83,16 @@ TEST(Breaking, AFreeFloeKeepsMassMomentumAndEnergy) {
   Rig rig(bow("outline='0 -2 3 -1.5 3.5 1.5 0.1 2' velocity='-0.3 0.05 0'") +
           "<body shape='sphere' radius='0.05' mass='2' position='2.9 1 0.08' velocity='0 0 -0.5'/>" + fracture());
   const double mass = rig.bodies().mass[1];
-  StepRecord before, record;
+  sim::StepRecord before, record;
   do {
     before = record;
     record = rig.simulation.step();
   } while (record.broken.empty() && record.step < 3000);
   ASSERT_FALSE(record.broken.empty());
-  const Bodies& bodies = rig.bodies();
+  const bodies::Bodies& bodies = rig.bodies();
   double sum = 0;
   for (std::size_t b = 0; b < bodies.id.size(); ++b)
-    if (bodies.kind[b] == BodyKind::floe) sum += bodies.mass[b];
+    if (bodies.kind[b] == bodies::BodyKind::floe) sum += bodies.mass[b];
   EXPECT_NEAR(sum + record.broken[0].brash, mass, 1e-12 * mass);
   const double scale = std::abs(record.ledger.kinetic) + std::abs(record.ledger.potential);
   EXPECT_LE(std::abs(record.broken[0].energy), 1e-12 * scale);
@@ -107,13 +108,13 @@ TEST(Breaking, SmallPiecesAreBrashOrStopIt) {
   };
   Rig brash(with("brash", 0.03));
   const double mass = brash.bodies().mass[1];
-  const StepRecord record = brash.until_broken();
+  const sim::StepRecord record = brash.until_broken();
   const FractureEvent& event = record.broken[0];
   EXPECT_EQ(event.pieces.size(), 1u) << "the sheet alone";
   EXPECT_GT(event.brash, 0);
   EXPECT_NEAR(brash.bodies().mass[1] + event.brash, mass, 1e-12 * mass);
   EXPECT_EQ(brash.simulation.total("brash_mass"), event.brash);
-  EXPECT_EQ(brash.bodies().motion[1], Motion::fixed);
+  EXPECT_EQ(brash.bodies().motion[1], bodies::Motion::fixed);
 
   Rig refuse(with("refuse", 1));
   for (int k = 0; k < 100; ++k) EXPECT_TRUE(refuse.simulation.step().broken.empty());
@@ -125,12 +126,13 @@ TEST(Breaking, SmallPiecesAreBrashOrStopIt) {
 TEST(Breaking, LefmSplitsAFloeThatIsHeld) {
   Rig rig(bow("outline='0 -1 2 -1 2 1 0 1' fixed='true'") +
           fracture("<splitting model='lefm'/>", "fracture_toughness='2e3'"));
-  const StepRecord record = rig.until_broken();
+  const sim::StepRecord record = rig.until_broken();
   ASSERT_EQ(record.broken.size(), 1u);
   const FractureEvent& event = record.broken[0];
   EXPECT_EQ(event.kind, "splitting");
   EXPECT_EQ(event.pieces.size(), 2u);
-  EXPECT_EQ(std::count(rig.bodies().motion.begin(), rig.bodies().motion.end(), Motion::fixed), 1) << "one half is free";
+  EXPECT_EQ(std::count(rig.bodies().motion.begin(), rig.bodies().motion.end(), bodies::Motion::fixed), 1)
+      << "one half is free";
   EXPECT_NEAR(event.length, 2, 1e-9);
   EXPECT_GE(event.ratio, 1);
   EXPECT_LT(event.ratio, 1.3);
@@ -152,10 +154,10 @@ TEST(Breaking, AFloeSplitsAlongItsWeakLine) {
                     "fracture_toughness='2e3'");
   };
   Rig straight(content + models("straight"));
-  const StepRecord passed_by = straight.until_broken();
+  const sim::StepRecord passed_by = straight.until_broken();
   EXPECT_NEAR(passed_by.broken[0].length, 2, 1e-9);
   Rig rig(content + models("curved"));
-  const StepRecord record = rig.until_broken();
+  const sim::StepRecord record = rig.until_broken();
   const FractureEvent& event = record.broken[0];
   EXPECT_NEAR(event.length, std::hypot(2, 0.6), 1e-6);
   ASSERT_EQ(event.pieces.size(), 2u);
@@ -164,7 +166,7 @@ TEST(Breaking, AFloeSplitsAlongItsWeakLine) {
   const double bears = 0.5 * 2e3 * 0.05 * std::sqrt(2) / SplittingTable().least(1).H;
   EXPECT_NEAR(F_Y / bears, event.ratio, 1e-4) << "H is least at the same share of the crack's length";
   std::vector<double> areas;
-  for (std::size_t b = 1; b < 3; ++b) areas.push_back(polygon_moments(rig.bodies().shape[b]->outline).area);
+  for (std::size_t b = 1; b < 3; ++b) areas.push_back(geometry::polygon_moments(rig.bodies().shape[b]->outline).area);
   std::sort(areas.begin(), areas.end());
   EXPECT_NEAR(areas[0], 1.4, 1e-5);
   EXPECT_NEAR(areas[1], 2.6, 1e-5);
@@ -179,11 +181,11 @@ TEST(Breaking, PiecesKeepTheStrengthsOfTheirPlaces) {
   // the same again, saved and restored: pieces find their strengths by their places in the scene's floe
   State state;
   rig.simulation.save(StateWriter(state));
-  Simulation other(rig.scene, 1, rig.warnings);
+  sim::Simulation other(rig.scene, 1, rig.warnings);
   other.restore(StateReader(state));
   bool again = false;
   for (int k = 0; k < 150; ++k) {
-    const StepRecord one = rig.simulation.step(), two = other.step();
+    const sim::StepRecord one = rig.simulation.step(), two = other.step();
     ASSERT_EQ(one.state_hash, two.state_hash) << k;
     ASSERT_EQ(one.broken.size(), two.broken.size());
     again = again || !one.broken.empty();
@@ -201,16 +203,16 @@ TEST(Breaking, ASheetOfFrozenFloesBreaksAlongItsSeams) {
       fracture("<bending/><cracks path='curved'/>");
   Rig rig(frozen);
   const double mass = rig.bodies().mass[1];
-  StepRecord record = rig.until_broken();
+  sim::StepRecord record = rig.until_broken();
   EXPECT_LT(record.broken[0].ratio, 1.5);
   // saved, and on as if never stopped: the pieces find their seams by their places
   State state;
   rig.simulation.save(StateWriter(state));
-  Simulation other(rig.scene, 1, rig.warnings);
+  sim::Simulation other(rig.scene, 1, rig.warnings);
   other.restore(StateReader(state));
   std::size_t again = 0;
   for (int k = 0; k < 60; ++k) {
-    const StepRecord one = rig.simulation.step(), two = other.step();
+    const sim::StepRecord one = rig.simulation.step(), two = other.step();
     ASSERT_EQ(one.state_hash, two.state_hash) << k;
     again += one.broken.size();
   }
@@ -235,7 +237,7 @@ TEST(Breaking, ThreadsChangeNoBit) {
   Rig one(bow() + fracture("<bending/><splitting/>")), two(bow() + fracture("<bending/><splitting/>"), 0.01, 2);
   std::size_t broken = 0;
   for (int k = 0; k < 200; ++k) {
-    const StepRecord a = one.simulation.step(), b = two.simulation.step();
+    const sim::StepRecord a = one.simulation.step(), b = two.simulation.step();
     ASSERT_EQ(a.state_hash, b.state_hash) << k;
     broken += a.broken.size();
   }

@@ -17,31 +17,33 @@
 namespace {
 
 using namespace nilas;
+using namespace nilas::fracture;
 
 constexpr double k_thick = 0.1, k_h = 0.01;
 
 /// Upright prisms with ids 1, 2 ...
-Bodies blocks(int count) {
-  Bodies bodies;
+bodies::Bodies blocks(int count) {
+  bodies::Bodies bodies;
   for (int k = 0; k < count; ++k) {
-    BodySpec spec;
+    bodies::BodySpec spec;
     spec.name = "block";
-    spec.shape = std::make_shared<const Shape>(prism_shape({{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}, k_thick));
+    spec.shape =
+        std::make_shared<const geometry::Shape>(geometry::prism_shape({{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}, k_thick));
     spec.mass = 1;
     bodies.add(spec);
   }
   return bodies;
 }
 
-SolvedProblem pressed(const std::vector<std::pair<std::int64_t, std::int64_t>>& ids, const std::vector<Vec3>& places,
-                      const std::vector<Vec3>& impulses) {
-  SolvedProblem solved;
+contact::SolvedProblem pressed(const std::vector<std::pair<std::int64_t, std::int64_t>>& ids,
+                               const std::vector<Vec3>& places, const std::vector<Vec3>& impulses) {
+  contact::SolvedProblem solved;
   solved.problem.h = k_h;
   for (std::size_t i = 0; i < ids.size(); ++i) {
-    ContactPoint point;
+    detect::ContactPoint point;
     point.p = places[i];
     solved.points.push_back(point);
-    solved.touching.push_back({TouchingBody{ids[i].first, 1}, TouchingBody{ids[i].second, 1}});
+    solved.touching.push_back({contact::TouchingBody{ids[i].first, 1}, contact::TouchingBody{ids[i].second, 1}});
   }
   solved.impulses = impulses;
   return solved;
@@ -55,8 +57,8 @@ FractureEvent broke(std::int64_t floe, const std::vector<std::int64_t>& pieces) 
   return event;
 }
 
-ContactPoint touch(int a, int b, const Vec3& p, const Vec3& n = Vec3::UnitX()) {
-  ContactPoint point;
+detect::ContactPoint touch(int a, int b, const Vec3& p, const Vec3& n = Vec3::UnitX()) {
+  detect::ContactPoint point;
   point.a = a;
   point.b = b;
   point.p = p;
@@ -65,13 +67,14 @@ ContactPoint touch(int a, int b, const Vec3& p, const Vec3& n = Vec3::UnitX()) {
 }
 
 /// Impulses on the points' bodies b, in G.
-std::vector<Vec3> guessed(const BrokenContacts& broken, const Bodies& bodies, const std::vector<ContactPoint>& points) {
+std::vector<Vec3> guessed(const BrokenContacts& broken, const bodies::Bodies& bodies,
+                          const std::vector<detect::ContactPoint>& points) {
   std::vector<Mat3> C;
-  for (const ContactPoint& c : points) C.push_back(contact_frame(c.n, bodies.R_GB[c.a], 0.3));
-  VecX guess = VecX::Zero(row_of(points.size()));
+  for (const detect::ContactPoint& c : points) C.push_back(contact::contact_frame(c.n, bodies.R_GB[c.a], 0.3));
+  VecX guess = VecX::Zero(contact::row_of(points.size()));
   broken.add_to(bodies, points, C, guess);
   std::vector<Vec3> all;
-  for (std::size_t i = 0; i < points.size(); ++i) all.emplace_back(C[i] * guess.segment<3>(row_of(i)));
+  for (std::size_t i = 0; i < points.size(); ++i) all.emplace_back(C[i] * guess.segment<3>(contact::row_of(i)));
   return all;
 }
 
@@ -82,13 +85,14 @@ void expect_near(const Vec3& a, const Vec3& b, double tolerance = 1e-12) {
 /// Body 1 is a hull, 2 broke into 4 and 5, 3 is a floe beside it. The hull's and the floe's ids are below the pieces',
 /// so that their pair is the other way round than before for the floe.
 TEST(BrokenContacts, GoToTheNearestPointOfTheSamePair) {
-  Bodies bodies = blocks(5);
+  bodies::Bodies bodies = blocks(5);
   const Vec3 on_floe(2, 0.5, -0.25), on_neighbour(0.5, 3, 0);
   BrokenContacts broken;
   broken.note(pressed({{1, 2}, {2, 3}, {1, 3}}, {{0, 0.1, 0}, {1, 1, 0}, {0, 0, 0}}, {on_floe, on_neighbour, on_floe}),
               {broke(2, {4, 5})});
-  const std::vector<ContactPoint> points{touch(0, 3, {0, 0.05, 0}), touch(0, 4, {0, 0.17, 0}), touch(0, 2, {0, 0, 0}),
-                                         touch(2, 4, {1.01, 1, 0}, -Vec3::UnitY()), touch(3, 4, {0, 0.1, 0})};
+  const std::vector<detect::ContactPoint> points{touch(0, 3, {0, 0.05, 0}), touch(0, 4, {0, 0.17, 0}),
+                                                 touch(0, 2, {0, 0, 0}), touch(2, 4, {1.01, 1, 0}, -Vec3::UnitY()),
+                                                 touch(3, 4, {0, 0.1, 0})};
   const std::vector<Vec3> guess = guessed(broken, bodies, points);
   expect_near(guess[0], on_floe);
   expect_near(guess[1], Vec3::Zero());
@@ -131,7 +135,7 @@ TEST(BrokenContacts, AreSharedByPointsThatAreEquallyNear) {
 TEST(BrokenContacts, OutOfReachOrPullingAreLeftOut) {
   BrokenContacts broken;
   broken.note(pressed({{1, 2}}, {{0, 0, 0}}, {{1, 0, 0}}), {broke(2, {3, 4})});
-  const Bodies bodies = blocks(4);
+  const bodies::Bodies bodies = blocks(4);
   expect_near(guessed(broken, bodies, {touch(0, 2, {0, 2.01 * k_thick, 0})})[0], Vec3::Zero());
   expect_near(guessed(broken, bodies, {touch(0, 2, {0, 0, 0}, {-1, 0.1, 0})})[0], Vec3::Zero());
   // one that it does not press on is passed over
@@ -143,7 +147,7 @@ TEST(BrokenContacts, OutOfReachOrPullingAreLeftOut) {
 TEST(BrokenContacts, MoveWithTheirBodies) {
   BrokenContacts broken;
   broken.note(pressed({{1, 2}}, {{0, 0, 0}}, {{1, 0, 0}}), {broke(2, {3, 4})});
-  Bodies bodies = blocks(4);
+  bodies::Bodies bodies = blocks(4);
   for (Vec3& v : bodies.v_GB) v = Vec3(0, 50 * k_thick / k_h, 0);
   expect_near(guessed(broken, bodies, {touch(0, 2, {0, 50 * k_thick, 0})})[0], Vec3::UnitX());
 }
@@ -185,11 +189,11 @@ struct Pressed : BluntHull, test::Rig {
             0.01, 1, "", 0.3, {0, 0, -9.81}) {
     for (int k = 0; k < 1000 && record.broken.empty(); ++k) record = step();
   }
-  StepRecord record;
+  sim::StepRecord record;
 };
 
 /// Sum of the impulses on the body with this id [N s].
-Vec3 sum_on(std::int64_t id, const SolvedProblem& solved, const std::vector<Vec3>& impulses) {
+Vec3 sum_on(std::int64_t id, const contact::SolvedProblem& solved, const std::vector<Vec3>& impulses) {
   Vec3 sum = Vec3::Zero();
   for (std::size_t i = 0; i < solved.points.size(); ++i) {
     if (solved.touching[i][0].id == id) sum -= impulses[i];
@@ -201,16 +205,16 @@ Vec3 sum_on(std::int64_t id, const SolvedProblem& solved, const std::vector<Vec3
 TEST(BrokenContacts, SumToWhatPressedOnTheFloe) {
   Pressed rig;
   ASSERT_EQ(rig.record.broken.size(), 1u);
-  const SolvedProblem old = rig.simulation.last_problem();
-  const Bodies bodies = rig.bodies();
+  const contact::SolvedProblem old = rig.simulation.last_problem();
+  const bodies::Bodies bodies = rig.bodies();
   BrokenContacts broken;
   broken.note(old, rig.record.broken);
   rig.step();
-  const SolvedProblem& now = rig.simulation.last_problem();
+  const contact::SolvedProblem& now = rig.simulation.last_problem();
   const std::vector<Vec3> guess = guessed(broken, bodies, now.points);
   int pressing = 0;
   for (std::size_t b = 0; b < bodies.id.size(); ++b) {
-    if (bodies.kind[b] == BodyKind::floe) continue;
+    if (bodies.kind[b] == bodies::BodyKind::floe) continue;
     const Vec3 before = sum_on(bodies.id[b], old, old.impulses);
     EXPECT_GT(before.norm(), 5) << "the vessel on one side, the pier on the other";
     expect_near(sum_on(bodies.id[b], now, guess), before, 1e-9 * before.norm());
@@ -222,15 +226,15 @@ TEST(BrokenContacts, SumToWhatPressedOnTheFloe) {
 /// A press on the corners of a floe that lies on the ground at them, of no weight, and breaks in two: the guess is the
 /// solution, where the points are.
 TEST(BrokenContacts, BalanceAStaticLoad) {
-  Bodies bodies = blocks(5);  // the ground, the press, the floe that is gone, its halves
-  bodies.motion[0] = Motion::fixed;
+  bodies::Bodies bodies = blocks(5);  // the ground, the press, the floe that is gone, its halves
+  bodies.motion[0] = bodies::Motion::fixed;
   bodies.set_pose(1, {0, 0, k_thick}, Quat::Identity());
   bodies.set_pose(3, {-0.5, 0, 0}, Quat::Identity());
   bodies.set_pose(4, {0.5, 0, 0}, Quat::Identity());
   const double weight = 50;
   std::vector<std::pair<std::int64_t, std::int64_t>> ids;
   std::vector<Vec3> places, impulses;
-  std::vector<ContactPoint> points;
+  std::vector<detect::ContactPoint> points;
   for (const double x : {-1.0, 1.0})
     for (const double y : {-1.0, 1.0}) {
       const int half = x < 0 ? 3 : 4;
@@ -246,21 +250,23 @@ TEST(BrokenContacts, BalanceAStaticLoad) {
   BrokenContacts broken;
   broken.note(pressed(ids, places, impulses), {broke(3, {4, 5})});
 
-  FrictionTable friction;
-  AssemblySettings settings;
+  contact::FrictionTable friction;
+  contact::AssemblySettings settings;
   settings.h = k_h;
-  Wrenches loads(5);
+  bodies::Wrenches loads(5);
   loads[1].force.z() = -weight;
-  const AssembledContacts contacts = assemble(bodies, loads, points, friction.resolve(bodies.materials), settings, {});
-  const VecX nothing = VecX::Zero(row_of(points.size()));
+  const contact::AssembledContacts contacts =
+      contact::assemble(bodies, loads, points, friction.resolve(bodies.materials), settings, {});
+  const VecX nothing = VecX::Zero(contact::row_of(points.size()));
   VecX guess = nothing;
   broken.add_to(bodies, points, contacts.C, guess);
-  EXPECT_GT(measure(contacts.problem, nothing).law_map_m_s, 0.1);
-  EXPECT_LT(measure(contacts.problem, guess).law_map_m_s, 1e-12);
-  SolverSettings solver;
+  EXPECT_GT(contact::measure(contacts.problem, nothing).law_map_m_s, 0.1);
+  EXPECT_LT(contact::measure(contacts.problem, guess).law_map_m_s, 1e-12);
+  contact::SolverSettings solver;
   solver.tolerance = 1e-9;
-  const auto nsgs = find_solver("nsgs").make(solver);
-  const ContactSolution warm = nsgs->solve(contacts.problem, guess), cold = nsgs->solve(contacts.problem, nothing);
+  const auto nsgs = contact::find_solver("nsgs").make(solver);
+  const contact::ContactSolution warm = nsgs->solve(contacts.problem, guess),
+                                 cold = nsgs->solve(contacts.problem, nothing);
   EXPECT_LT(warm.iterations, cold.iterations);
   EXPECT_LE((warm.v - cold.v).norm(), 1e-6);
 }

@@ -11,6 +11,7 @@
 namespace {
 
 using namespace nilas;
+using namespace nilas::fracture;
 using namespace nilas::test;
 
 constexpr double k_clear = 2e-3, k_density = 920, k_speed = 0.5;
@@ -33,10 +34,10 @@ std::string sheet(const std::string& more, const std::string& corners = "0 -3 4 
          "'/></ice>";
 }
 
-double ice_area(const Bodies& bodies) {
+double ice_area(const bodies::Bodies& bodies) {
   double area = 0;
   for (std::size_t b = 0; b < bodies.id.size(); ++b)
-    if (bodies.kind[b] == BodyKind::floe) area += polygon_moments(bodies.shape[b]->outline).area;
+    if (bodies.kind[b] == bodies::BodyKind::floe) area += geometry::polygon_moments(bodies.shape[b]->outline).area;
   return area;
 }
 
@@ -46,7 +47,7 @@ TEST(CrushedIceCut, LeavesAChannelOfTheHullsWidth) {
   double front = 0, crushing_energy = 0, extruded = 0;
   int cuts = 0;
   for (int k = 0; k < 150; ++k) {
-    const StepRecord record = rig.step();
+    const sim::StepRecord record = rig.step();
     crushing_energy = record.ledger.crushing;
     for (const FractureEvent& event : record.broken) {
       EXPECT_EQ(event.kind, "crushing");
@@ -65,7 +66,7 @@ TEST(CrushedIceCut, LeavesAChannelOfTheHullsWidth) {
   }
   EXPECT_GT(cuts, 15);
   EXPECT_NEAR(extruded, rig.simulation.total("extruded_mass"), 1e-9);
-  EXPECT_EQ(rig.bodies().motion[1], Motion::fixed);
+  EXPECT_EQ(rig.bodies().motion[1], bodies::Motion::fixed);
   EXPECT_EQ(rig.bodies().shape[1]->outline.size(), 8u);
   EXPECT_NEAR(rig.simulation.total("crushed_mass"), k_density * crushing_energy / k_strength, 1e-9);
 }
@@ -77,7 +78,7 @@ TEST(CrushedIceCut, ChangesNoLoad) {
       Rig with(towed(hull, -0.13) + clearing(model), 0.01), without(towed(hull, -0.13) + crushing(model), 0.01);
       int cuts = 0;
       for (int k = 0; k < 150; ++k) {
-        const StepRecord a = with.step(), b = without.step();
+        const sim::StepRecord a = with.step(), b = without.step();
         cuts += static_cast<int>(a.broken.size());
         const Vec3 force = a.vessel->contact.force, as_before = b.vessel->contact.force;
         ASSERT_LE((force - as_before).norm(), 1e-9 * (1 + as_before.norm())) << hull << model << k;
@@ -97,7 +98,7 @@ TEST(CrushedIceCut, ChangesNoLoadOnAPile) {
     Rig without(pile + sheet("fixed='true'") + crushing(model), 0.01);
     int cuts = 0;
     for (int k = 0; k < 120; ++k) {
-      const StepRecord a = with.step(), b = without.step();
+      const sim::StepRecord a = with.step(), b = without.step();
       cuts += static_cast<int>(a.broken.size());
       ASSERT_NEAR(a.ledger.crushing, b.ledger.crushing, 1e-6 * (1 + b.ledger.crushing)) << model << k;
     }
@@ -115,7 +116,7 @@ TEST(CrushedIceCut, KeepsTheAccounts) {
   double left = 0;
   int cuts = 0;
   for (int k = 0; k < 200; ++k) {
-    const StepRecord record = rig.step();
+    const sim::StepRecord record = rig.step();
     EXPECT_LE(std::abs(record.ledger.imbalance), 1e-12 * 0.5 * mass * 4);
     for (const FractureEvent& event : record.broken) {
       ++cuts;
@@ -160,7 +161,7 @@ TEST(CrushedIceCut, WaitsWhileAHullStandsInTheMidst) {
           0.01);
   const double reaches_edge = (4 - 3.45 + k_strip) / k_speed;
   for (int k = 0; k < 150; ++k) {
-    const StepRecord record = rig.step();
+    const sim::StepRecord record = rig.step();
     if (std::abs(record.t - reaches_edge) > 0.001) {
       ASSERT_EQ(record.broken.empty(), record.t < reaches_edge) << record.t;
     }

@@ -14,6 +14,7 @@
 namespace {
 
 using namespace nilas;
+using namespace nilas::fracture;
 using namespace nilas::test;
 
 constexpr double k_density = 900, k_gap = 1e-3;
@@ -41,7 +42,7 @@ std::string between_floes(const std::string& model, double strength = k_strength
 TEST(CrushingOfFloes, DepthIsThatOfTheClosedForm) {
   const double g = 20;
   for (const auto& [moving, fixed] : {std::pair(k_pointed, k_flat), std::pair(k_plank, k_point_astern)}) {
-    const double mass = k_density * k_thickness * polygon_moments(moving).area;
+    const double mass = k_density * k_thickness * geometry::polygon_moments(moving).area;
     const double weight = mass * g, k = k_strength * k_thickness;
     const double exact = (weight + std::sqrt(weight * (weight + 2 * k * k_gap))) / k;
     ASSERT_LT(exact, 1);
@@ -49,7 +50,7 @@ TEST(CrushingOfFloes, DepthIsThatOfTheClosedForm) {
       const double h = 1e-3;
       Rig rig(ice(moving, fixed) + between_floes(model), h, 1, "", 0, {g, 0, 0});
       const double start = rig.bodies().p_GB[0].x();
-      StepRecord record;
+      sim::StepRecord record;
       for (int n = 0; n < 1000; ++n) record = rig.step();
       const double depth = rig.bodies().p_GB[0].x() - start - k_gap;
       EXPECT_NEAR(depth, exact, 0.02 * exact) << model;
@@ -63,20 +64,20 @@ TEST(CrushingOfFloes, DepthIsThatOfTheClosedForm) {
 /// Whichever floe's faces count, an even pressure on them has the same resultant; those of the smaller area are taken.
 TEST(CrushingOfFloes, FacesOfTheSmallerAreaCountAndTheWeakerIceYields) {
   Rig rig(ice(k_pointed, k_flat) + between_floes(k_seed), 0.01);
-  Bodies bodies = rig.bodies();
+  bodies::Bodies bodies = rig.bodies();
   bodies.set_pose(0, bodies.p_GB[0] + Vec3(0.2 + k_gap, 0, 0), bodies.q_GB[0]);
   bodies.v_GB[0] = Vec3(1, 0, 0);
   for (const bool turned_over : {false, true}) {
-    IceProperties ice;
+    bodies::IceProperties ice;
     ice.resize(2);
     ice.breakable = {1, 1};
     ice.compressive_strength = {{turned_over ? 3e5 : 2e5, {}}, {turned_over ? 2e5 : 3e5, {}}};
-    Crushing crush(crushing_settings(rig.scene), bodies, ice);
+    Crushing crush(sim::crushing_settings(rig.scene), bodies, ice);
     EXPECT_TRUE(crush.crushes(0, 1));
     const auto points = crush.points(bodies, {{0, 1}}, 0.01, 0.01);
     ASSERT_FALSE(points.empty());
     double force = 0;
-    for (const ContactPoint& c : points) {
+    for (const detect::ContactPoint& c : points) {
       EXPECT_NEAR(c.n.x(), 1, 1e-12) << "the sheet's edge, not the floe's two sides";
       force += c.force_limit;
     }
@@ -89,16 +90,16 @@ TEST(CrushingOfFloes, ASplinterWithinASheetIsBraked) {
   const std::vector<Vec2> splinter{{-0.4, -0.1}, {-0.2, -0.1}, {-0.2, 0.1}, {-0.4, 0.1}};
   for (const std::string& model : {k_seed, k_compliant}) {
     Rig rig(ice(splinter, k_flat) + between_floes(model), 0.01);
-    Bodies bodies = rig.bodies();
+    bodies::Bodies bodies = rig.bodies();
     bodies.set_pose(0, bodies.p_GB[0] + Vec3(1, 0, 0), bodies.q_GB[0]);
     bodies.v_GB[0] = Vec3(1, 0, 0);
-    IceProperties ice;
+    bodies::IceProperties ice;
     ice.resize(2);
     ice.breakable = {1, 1};
     ice.compressive_strength = {{2e5, {}}, {3e5, {}}};
-    Crushing crush(crushing_settings(rig.scene), bodies, ice);
+    Crushing crush(sim::crushing_settings(rig.scene), bodies, ice);
     double force = 0;
-    for (const ContactPoint& c : crush.points(bodies, {{0, 1}}, 0.01, 0.01))
+    for (const detect::ContactPoint& c : crush.points(bodies, {{0, 1}}, 0.01, 0.01))
       if (c.n.x() > 0.5) force += c.force_limit;
     EXPECT_NEAR(force, 2e5 * 0.2 * k_thickness, 1e-6 * force) << model;
   }
@@ -110,23 +111,23 @@ TEST(CrushingOfFloes, OfEqualAreasTheLighterFloesCountWhateverTheOrder) {
   const std::vector<Vec2> heavy{{-0.2, 0}, {0.8, -1}, {2.3, -1}, {2.3, 1}, {0.8, 1}};
   const auto mean_x = [&](bool turned_over) {
     Rig rig(ice(k_pointed, k_flat) + between_floes(k_seed), 0.01);
-    Bodies bodies = rig.bodies();
+    bodies::Bodies bodies = rig.bodies();
     for (const auto& corners : {turned_over ? heavy : light, turned_over ? light : heavy}) {
-      BodySpec floe;
-      floe.kind = BodyKind::floe;
-      floe.shape = std::make_shared<const Shape>(prism_shape(corners, k_thickness));
-      floe.mass = k_density * k_thickness * polygon_moments(corners).area;
+      bodies::BodySpec floe;
+      floe.kind = bodies::BodyKind::floe;
+      floe.shape = std::make_shared<const geometry::Shape>(geometry::prism_shape(corners, k_thickness));
+      floe.mass = k_density * k_thickness * geometry::polygon_moments(corners).area;
       floe.inertia_B = floe.mass * Mat3::Identity();
       bodies.add(floe);
     }
     bodies.remove({1, 1, 0, 0});
-    IceProperties ice;
+    bodies::IceProperties ice;
     ice.resize(2);
     ice.breakable = {1, 1};
     ice.compressive_strength.assign(2, {2e5, {}});
-    Crushing crush(crushing_settings(rig.scene), bodies, ice);
+    Crushing crush(sim::crushing_settings(rig.scene), bodies, ice);
     double sum = 0, force = 0;
-    for (const ContactPoint& c : crush.points(bodies, {{0, 1}}, 0.01, 0.01)) {
+    for (const detect::ContactPoint& c : crush.points(bodies, {{0, 1}}, 0.01, 0.01)) {
       sum += c.force_limit * c.p.x();
       force += c.force_limit;
     }
@@ -141,15 +142,15 @@ TEST(CrushingOfFloes, OfEqualAreasTheLighterFloesCountWhateverTheOrder) {
 TEST(CrushingOfFloes, WhatIsRememberedDependsOnPosesAlone) {
   for (const double depth : {0.05, -0.01}) {
     Rig rig(ice(k_plank, k_point_astern) + between_floes(k_compliant), 0.01);
-    Bodies bodies = rig.bodies();
+    bodies::Bodies bodies = rig.bodies();
     bodies.set_pose(0, bodies.p_GB[0] + Vec3(depth + k_gap, 0, 0), bodies.q_GB[0]);
-    IceProperties ice;
+    bodies::IceProperties ice;
     ice.resize(2);
     ice.breakable = {1, 1};
     ice.compressive_strength = {{2e5, {}}, {2e5, {}}};
     const auto last_of = [&](const std::vector<double>& speeds) {
-      Crushing crush(crushing_settings(rig.scene), bodies, ice);
-      std::vector<ContactPoint> points;
+      Crushing crush(sim::crushing_settings(rig.scene), bodies, ice);
+      std::vector<detect::ContactPoint> points;
       State state;
       for (const double speed : speeds) {
         bodies.v_GB[0] = Vec3(speed, 0, 0);
@@ -157,7 +158,7 @@ TEST(CrushingOfFloes, WhatIsRememberedDependsOnPosesAlone) {
       }
       crush.save(StateWriter(state));
       std::vector<std::uint64_t> keys;
-      for (const ContactPoint& c : points) keys.push_back(c.key);
+      for (const detect::ContactPoint& c : points) keys.push_back(c.key);
       return std::pair(keys, state.entries);
     };
     const auto direct = last_of({2});
@@ -169,7 +170,7 @@ TEST(CrushingOfFloes, WhatIsRememberedDependsOnPosesAlone) {
 TEST(CrushingOfFloes, WithoutItTheyAreRigid) {
   Rig rig(ice(k_pointed, k_flat) + crushing(k_compliant), 1e-3, 1, "", 0, {20, 0, 0});
   const double start = rig.bodies().p_GB[0].x();
-  StepRecord record;
+  sim::StepRecord record;
   for (int n = 0; n < 200; ++n) record = rig.step();
   EXPECT_NEAR(rig.bodies().p_GB[0].x() - start, k_gap, 1e-5);
   EXPECT_EQ(record.ledger.crushing, 0);

@@ -12,6 +12,7 @@
 namespace {
 
 using namespace nilas;
+using namespace nilas::fracture;
 using namespace nilas::test;
 
 constexpr double k_step = 0.01, k_mass = 0.02, k_speed = 2;

@@ -11,6 +11,7 @@
 namespace {
 
 using namespace nilas;
+using namespace nilas::fracture;
 using namespace nilas::test;
 
 /// A free body of mass 5000 kg at 1 m/s into a fixed sheet.

@@ -11,6 +11,7 @@
 namespace {
 
 using namespace nilas;
+using namespace nilas::fracture;
 using namespace nilas::test;
 
 TEST(Crushing, DoesNotDependOnTheFrame) {
@@ -65,7 +66,7 @@ struct FieldRig : Rig {
 TEST(Crushing, AFieldStaysCalmAndItsAccountsClose) {
   for (const std::string& model : {k_seed, k_compliant, k_each_other}) {
     FieldRig rig(model);
-    StepRecord record;
+    sim::StepRecord record;
     double fastest = 0;
     for (int k = 0; k < 300; ++k) {
       record = rig.step();
@@ -84,7 +85,7 @@ TEST(Crushing, ThreadsAndOrderOfFloes) {
   for (const std::string& model : {k_compliant, k_each_other}) {
     FieldRig one(model), two(model, false, 2), reversed(model, true);
     for (int k = 0; k < 120; ++k) {
-      const StepRecord a = one.step(), b = two.step(), c = reversed.step();
+      const sim::StepRecord a = one.step(), b = two.step(), c = reversed.step();
       EXPECT_EQ(a.state_hash, b.state_hash) << k;
       const Vec3 difference = a.vessel->contact.force - c.vessel->contact.force;
       EXPECT_LE(difference.norm(), 1e-5 * (1 + a.vessel->contact.force.norm())) << model << k;
@@ -111,7 +112,7 @@ TEST(Crushing, IsOfBreakableFloesAgainstHullsAlone) {
   const std::string content = towed("wedge.stl", -0.0025);
   const auto at = content.find("breakable='true'");
   Rig rigid(std::string(content).replace(at, 16, "breakable='false'") + crushing(k_seed), 0.01);
-  StepRecord record;
+  sim::StepRecord record;
   EXPECT_ANY_THROW(static_cast<void>(Rig("<ice><floe outline='0 0 1 0 1 1'/></ice>" + crushing("model='none'"), 0.01)));
   for (int k = 0; k < 20; ++k) record = rigid.step();
   EXPECT_EQ(record.ledger.crushing, 0);

@@ -10,13 +10,14 @@
 namespace {
 
 using namespace nilas;
+using namespace nilas::fracture;
 using namespace nilas::test;
 
 TEST(Crushing, ForceOfASteadyWedgeIsStrengthTimesArea) {
   Rig rig(towed("wedge.stl", -0.0025) + crushing(k_seed), 0.01);
   for (int k = 0; k < 100; ++k) {
     const double depth = std::max(0.0, rig.front(0));
-    const StepRecord record = rig.step();
+    const sim::StepRecord record = rig.step();
     const Vec3 force = record.vessel->contact.force;
     const double expected = k_strength * depth * k_thickness;  // both sides, along x
     EXPECT_NEAR(force.x(), -expected, 1e-9 * (1 + expected));
@@ -32,7 +33,7 @@ TEST(Crushing, ForceOfASteadyFlaredWedge) {
     const double at_middle = rig.front(0) - 0.5;  // the edge is 0.5 m further forward 1 m up
     // the edge stands at at_middle + z/2 at height z: from there up the sides are in the ice
     const double low = std::max(-k_thickness / 2, -2 * at_middle);
-    const StepRecord record = rig.step();
+    const sim::StepRecord record = rig.step();
     const Vec3 force = record.vessel->contact.force;
     double expected_x = 0, expected_z = 0;
     if (low < k_thickness / 2) {
@@ -63,7 +64,7 @@ TEST(Crushing, DoublingTheStrengthDoublesTheForce) {
 TEST(Crushing, ImplicitForceIsThatOfTheStepsEnd) {
   Rig rig(towed("wedge.stl", -0.0025) + crushing(k_compliant), 0.01);
   for (int k = 0; k < 60; ++k) {
-    const StepRecord record = rig.step();
+    const sim::StepRecord record = rig.step();
     const double expected = k_strength * std::max(0.0, rig.front(0)) * k_thickness;
     EXPECT_NEAR(record.vessel->contact.force.x(), -expected, 1e-9 * (1 + expected)) << k;
   }
@@ -92,12 +93,12 @@ TEST(Crushing, ItsEnergyIsTheWorkOfItsForce) {
        {k_seed, k_compliant, std::string("model='pressure-area' coefficient='1e5' exponent='-0.3'")}) {
     Rig rig(towed("flared.stl", -0.13) + crushing(model), 0.01, 1, "", 0.1);
     double work = 0;
-    StepRecord record;
+    sim::StepRecord record;
     for (int k = 0; k < 100; ++k) {
       record = rig.step();
       work -= record.vessel->contact.force.x() * 0.5 * 0.01;
     }
-    const Ledger& ledger = record.ledger;
+    const sim::Ledger& ledger = record.ledger;
     EXPECT_GT(ledger.crushing, 100);
     EXPECT_NEAR(ledger.crushing, work - ledger.friction, 1e-6 * work) << model;
     EXPECT_EQ(ledger.impact, 0);
@@ -112,7 +113,7 @@ TEST(Crushing, CrushedMassIsWhatTheFacesWentThrough) {
   for (const std::string& model : {k_seed, k_compliant}) {
     Rig rig(towed("wedge.stl", -0.0025) + crushing(model), 0.01);
     double area = 0;
-    StepRecord record;
+    sim::StepRecord record;
     for (int k = 0; k < 100; ++k) {
       area += std::max(0.0, rig.front(0)) * k_thickness;
       record = rig.step();
@@ -163,7 +164,7 @@ TEST(Crushing, CrushedIceDoesNotPushBack) {
     int behind = 0, again = 0;
     for (int k = 0; k < 150; ++k) {
       const double before = rig.front(0);
-      const StepRecord record = rig.step();
+      const sim::StepRecord record = rig.step();
       const double after = rig.front(0), force = -record.vessel->contact.force.x();
       deepest = std::max(deepest, before);
       const double most = k_strength * k_thickness * std::max(after, before);

@@ -8,7 +8,7 @@
 #include "core/base/error.h"
 #include "core/base/math.h"
 
-namespace nilas {
+namespace nilas::fracture {
 
 namespace {
 
@@ -150,4 +150,4 @@ TEST(SplittingLefm, RefusesImpossibleInput) {
   EXPECT_THROW(wedge_force(1, 80 * k_deg, 0.2), ContractError);
 }
 
-}  // namespace nilas
+}  // namespace nilas::fracture

@@ -17,7 +17,7 @@ namespace nilas::pairs {
 /// A's sides, or lies exactly where A is.
 enum class Meeting { any_attitude, afloat, flat, faces, edges, vertex_on_face, mirrored, same_place };
 
-using MakeShape = std::function<Shape(RandomStream&)>;
+using MakeShape = std::function<geometry::Shape(RandomStream&)>;
 
 struct PairClass {
   const char* name;
@@ -38,18 +38,18 @@ inline double log_uniform(RandomStream& random, double low, double high) {
 }
 
 inline MakeShape plate(double radius, double thickness) {
-  return [=](RandomStream& random) { return floe_shape(random_outline(random, radius), thickness); };
+  return [=](RandomStream& random) { return detect::floe_shape(detect::random_outline(random, radius), thickness); };
 }
 
 inline MakeShape box(double size) {
   return [=](RandomStream& random) {
-    return box_shape(size * Vec3(random.uniform(0.2, 1), random.uniform(0.2, 1), random.uniform(0.2, 1)));
+    return geometry::box_shape(size * Vec3(random.uniform(0.2, 1), random.uniform(0.2, 1), random.uniform(0.2, 1)));
   };
 }
 
 inline MakeShape cylinder(double size) {
   return [=](RandomStream& random) {
-    return cylinder_shape(size * random.uniform(0.1, 0.5), size * random.uniform(0.2, 1));
+    return geometry::cylinder_shape(size * random.uniform(0.1, 0.5), size * random.uniform(0.2, 1));
   };
 }
 
@@ -59,20 +59,20 @@ inline MakeShape needle() {
     const double width = log_uniform(random, 1e-5, 1e-2);
     std::vector<Vec2> outline{{-1, -width * random.uniform(0.1, 1)}, {1, -width * random.uniform(0.1, 1)}};
     outline.emplace_back(random.uniform(-0.9, 0.9), width);
-    return floe_shape(outline, log_uniform(random, 1e-3, 0.3));
+    return detect::floe_shape(outline, log_uniform(random, 1e-3, 0.3));
   };
 }
 
 /// A plate with a corner that an edge of 1e-9 to 1e-2 radii cuts off.
 inline MakeShape plate_with_a_tiny_edge() {
   return [](RandomStream& random) {
-    std::vector<Vec2> outline = random_outline(random, 1);
+    std::vector<Vec2> outline = detect::random_outline(random, 1);
     const double edge = log_uniform(random, 1e-9, 1e-2);
     const Vec2 corner = outline[0];
     const Vec2 before = (outline.back() - corner).normalized(), after = (outline[1] - corner).normalized();
     outline[0] = corner + edge * after;
     outline.push_back(corner + edge * random.uniform(0.3, 1) * before);
-    return floe_shape(outline, random.uniform(0.1, 0.5));
+    return detect::floe_shape(outline, random.uniform(0.1, 0.5));
   };
 }
 
@@ -86,14 +86,14 @@ inline MakeShape star() {
       const double r = k % 2 == 0 ? random.uniform(0.8, 1) : random.uniform(0.3, 0.6);
       outline.emplace_back(r * std::cos(angle), r * std::sin(angle));
     }
-    return floe_shape(outline, 0.2);
+    return detect::floe_shape(outline, 0.2);
   };
 }
 
 /// An ellipsoid of facets, in rings between two poles. With its many long facets it resembles a convex piece of a hull.
-inline ConvexPolytope faceted_ellipsoid(RandomStream& random, const Vec3& half_axes) {
+inline geometry::ConvexPolytope faceted_ellipsoid(RandomStream& random, const Vec3& half_axes) {
   const int around = 10 + static_cast<int>(random.uniform(0, 15)), rings = 5 + static_cast<int>(random.uniform(0, 8));
-  ConvexPolytope hull;
+  geometry::ConvexPolytope hull;
   std::vector<double> angles;
   for (int k = 0; k < around; ++k) angles.push_back(2 * k_pi * (k + random.uniform(-0.3, 0.3)) / around);
   hull.vertices.emplace_back(-half_axes.x(), 0, 0);
@@ -112,12 +112,12 @@ inline ConvexPolytope faceted_ellipsoid(RandomStream& random, const Vec3& half_a
       hull.faces.push_back({at(ring, k), at(ring, k + 1), at(ring + 1, k + 1), at(ring + 1, k)});
     hull.faces.push_back({at(rings - 1, k), at(rings - 1, k + 1), last});
   }
-  complete(hull);
+  geometry::complete(hull);
   return hull;
 }
 
 inline MakeShape hull_part(const Vec3& half_axes) {
-  return [=](RandomStream& random) { return mesh_shape({}, {faceted_ellipsoid(random, half_axes)}); };
+  return [=](RandomStream& random) { return geometry::mesh_shape({}, {faceted_ellipsoid(random, half_axes)}); };
 }
 
 inline std::vector<PairClass> all_classes() {

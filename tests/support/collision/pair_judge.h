@@ -29,7 +29,7 @@ struct PartsInQuestion {
 
 /// A pair of bodies with the true gaps between all their convex pieces.
 struct KnownPair {
-  Bodies bodies;
+  bodies::Bodies bodies;
   std::vector<PartsInQuestion> parts;
   double size = 1, ulp = 0;  ///< Size of the smaller body, and spacing of doubles at the farthest coordinate [m].
   double right() const { return std::max(k_right_depth * size, k_right_ulps * ulp); }
@@ -45,7 +45,7 @@ inline double height_over(const oracle::Solid& solid, const Vec3& x) {
   return std::max(height, (from_axis - from_axis.dot(solid.axis) * solid.axis).norm() - solid.radius);
 }
 
-inline KnownPair find_truth(const PairClass& c, Bodies bodies) {
+inline KnownPair find_truth(const PairClass& c, bodies::Bodies bodies) {
   KnownPair known;
   const auto of_a = solids_of(bodies, 0), of_b = solids_of(bodies, 1);
   for (std::size_t i = 0; i < of_a.size(); ++i)
@@ -102,7 +102,7 @@ inline void judge_verdict(const KnownPair& known, const PartsInQuestion& parts, 
   tally.worst_ulps = std::max(tally.worst_ulps, error / known.ulp);
 }
 
-inline void judge_surfaces(const KnownPair& known, const PartsInQuestion& parts, const ContactPoint& point,
+inline void judge_surfaces(const KnownPair& known, const PartsInQuestion& parts, const detect::ContactPoint& point,
                            Tally& tally) {
   const Vec3 p = point.p - known.bodies.p_GB[0];
   const double off = std::max(std::abs(height_over(parts.a, p - 0.5 * point.gap * point.n)),
@@ -110,24 +110,25 @@ inline void judge_surfaces(const KnownPair& known, const PartsInQuestion& parts,
   tally.worst_surface = std::max(tally.worst_surface, off / known.size);
 }
 
-inline const ContactPoint* deepest_point(const std::vector<ContactPoint>& points) {
-  const auto by_gap = [](const ContactPoint& p, const ContactPoint& q) { return p.gap < q.gap; };
+inline const detect::ContactPoint* deepest_point(const std::vector<detect::ContactPoint>& points) {
+  const auto by_gap = [](const detect::ContactPoint& p, const detect::ContactPoint& q) { return p.gap < q.gap; };
   return points.empty() ? nullptr : &*std::min_element(points.begin(), points.end(), by_gap);
 }
 
 /// The normal to be judged. Points on a curved side have normals of their own: among the points as deep as the deepest,
 /// the normal nearest to the true one counts.
-inline Vec3 normal_of(const KnownPair& known, const PartsInQuestion& parts, const ContactPoint& deepest,
-                      const std::vector<ContactPoint>& points) {
+inline Vec3 normal_of(const KnownPair& known, const PartsInQuestion& parts, const detect::ContactPoint& deepest,
+                      const std::vector<detect::ContactPoint>& points) {
   Vec3 n = deepest.n;
-  for (const ContactPoint& p : points)
+  for (const detect::ContactPoint& p : points)
     if (p.gap <= deepest.gap + known.right() && p.n.dot(parts.gap.n) > n.dot(parts.gap.n)) n = p.n;
   return n;
 }
 
 /// Judges bodies of several convex pieces as wholes. When they are apart, their nearest pieces give distance and
 /// direction. The depth of an overlap of such bodies has no closed form here: then only a miss is wrong.
-inline void judge_bodies(const KnownPair& known, double margin, const std::vector<ContactPoint>& points, Tally& tally) {
+inline void judge_bodies(const KnownPair& known, double margin, const std::vector<detect::ContactPoint>& points,
+                         Tally& tally) {
   const auto by_gap = [](const auto& p, const auto& q) { return p.gap.s < q.gap.s; };
   const double truth = std::min_element(known.parts.begin(), known.parts.end(), by_gap)->gap.s;
   if (points.empty()) tally.missed += truth < margin - known.right() ? 1 : 0;
@@ -138,7 +139,7 @@ inline void judge_bodies(const KnownPair& known, double margin, const std::vecto
     ++tally.unjudged;
     return;
   }
-  const ContactPoint* deepest = deepest_point(points);
+  const detect::ContactPoint* deepest = deepest_point(points);
   const double error = std::abs(deepest->gap - truth);
   tally.wrong_depths += error > known.right() ? 1 : 0;
   tally.worst_depth = std::max(tally.worst_depth, error / known.size);
@@ -149,29 +150,31 @@ inline void judge_bodies(const KnownPair& known, double margin, const std::vecto
 }
 
 /// Judges all points that a detector found with gaps below `margin` [m].
-inline void judge(const KnownPair& known, double margin, const std::vector<ContactPoint>& points, Tally& tally) {
+inline void judge(const KnownPair& known, double margin, const std::vector<detect::ContactPoint>& points,
+                  Tally& tally) {
   ++tally.pairs;
   if (known.parts.size() > 1) return judge_bodies(known, margin, points, tally);
   const PartsInQuestion& parts = known.parts.front();
-  const ContactPoint* deepest = deepest_point(points);
+  const detect::ContactPoint* deepest = deepest_point(points);
   if (deepest == nullptr && parts.gap.s < margin - known.right()) ++tally.missed;
   if (deepest != nullptr && parts.gap.s > margin + known.right()) ++tally.surplus;
   if (parts.gap.s >= margin || deepest == nullptr) return;
   ++tally.contacts;
   const Vec3 n = normal_of(known, parts, *deepest, points);
   judge_verdict(known, parts, {n, deepest->gap}, tally);
-  for (const ContactPoint& p : points)
+  for (const detect::ContactPoint& p : points)
     if (p.n == n) judge_surfaces(known, parts, p, tally);
 }
 
 /// A detector that saw the pair at a nearby relative pose and remembers the separating axis of that pose.
-inline ContactDetector saw_nearby(const KnownPair& known, double margin, NarrowPhase narrow, RandomStream& random) {
+inline detect::ContactDetector saw_nearby(const KnownPair& known, double margin, NarrowPhase narrow,
+                                          RandomStream& random) {
   const double nudge = std::pow(10.0, random.uniform(-5, -1));
-  Bodies earlier = known.bodies;
+  bodies::Bodies earlier = known.bodies;
   const Vec3 way(random.normal(), random.normal(), random.normal());
   const Quat turn(Eigen::AngleAxisd(nudge * random.normal(), Vec3(random.normal(), random.normal(), 1).normalized()));
   earlier.set_pose(1, earlier.p_GB[1] + 0.1 * nudge * known.size * way, turn * earlier.q_GB[1]);
-  ContactDetector detector(1, narrow);
+  detect::ContactDetector detector(1, narrow);
   detector.detect(earlier, margin + 0.1 * nudge * known.size);
   return detector;
 }
@@ -186,8 +189,8 @@ inline std::array<Tally, 2> tally_batch(const PairClass& c, int batch, NarrowPha
   for (int k = 0; k < k_batch; ++k) {
     const KnownPair known = find_truth(c, draw_pair(c, random));
     const double margin = k_margin * c.size;
-    judge(known, margin, ContactDetector(1, narrow).detect(known.bodies, margin), tallies[0]);
-    ContactDetector remembering = saw_nearby(known, margin, narrow, random);
+    judge(known, margin, detect::ContactDetector(1, narrow).detect(known.bodies, margin), tallies[0]);
+    detect::ContactDetector remembering = saw_nearby(known, margin, narrow, random);
     judge(known, margin, remembering.detect(known.bodies, margin), tallies[1]);
     tallies[1].kept_axes += remembering.counts().kept_axes;
   }

@@ -49,7 +49,7 @@ inline Side of_vertex(const oracle::Solid& solid, RandomStream& random) {
 }
 
 /// Lays side `b` of body 1 against side `a` of body 0, turned about their common normal at random.
-inline void lay_against(Bodies& bodies, const Side& a, const Side& b, double gap, RandomStream& random) {
+inline void lay_against(bodies::Bodies& bodies, const Side& a, const Side& b, double gap, RandomStream& random) {
   const Quat spin(Eigen::AngleAxisd(random.uniform(0, 2 * k_pi), b.n));
   const Quat q = bodies.q_GB[0] * Quat::FromTwoVectors(b.n, -a.n) * spin;
   bodies.set_pose(1, bodies.p_GB[0], q);
@@ -61,7 +61,7 @@ inline Quat attitude_of(Meeting meeting, RandomStream& random) {
   constexpr double k_tilt = 0.02;
   if (meeting == Meeting::flat || meeting == Meeting::mirrored)
     return Quat(Eigen::AngleAxisd(random.uniform(0, 2 * k_pi), Vec3::UnitZ()));
-  return meeting == Meeting::afloat ? random_tilt(random, k_tilt) : test::random_attitude(random);
+  return meeting == Meeting::afloat ? detect::random_tilt(random, k_tilt) : test::random_attitude(random);
 }
 
 /// Direction in which B lies from A: horizontal for half of the afloat and flat pairs, above or below for the others.
@@ -77,7 +77,7 @@ inline Vec3 direction_of(Meeting meeting, RandomStream& random) {
 }
 
 /// All convex pieces of a body, in coordinates relative to body 0's position.
-inline std::vector<oracle::Solid> solids_of(const Bodies& bodies, int b) {
+inline std::vector<oracle::Solid> solids_of(const bodies::Bodies& bodies, int b) {
   const std::size_t count = std::max<std::size_t>(bodies.shape[b]->parts.size(), 1);
   std::vector<oracle::Solid> solids;
   for (std::size_t part = 0; part < count; ++part)
@@ -87,7 +87,7 @@ inline std::vector<oracle::Solid> solids_of(const Bodies& bodies, int b) {
 
 /// Moves body 1 along d until no axis of any two polytopes separates them by more than `target`, and one separates them
 /// by `target`.
-inline void slide_along(Bodies& bodies, const Vec3& d, double target) {
+inline void slide_along(bodies::Bodies& bodies, const Vec3& d, double target) {
   double way = -oracle::k_infinite;
   for (const auto& a : solids_of(bodies, 0))
     for (const auto& b : solids_of(bodies, 1)) {
@@ -106,7 +106,7 @@ inline void slide_along(Bodies& bodies, const Vec3& d, double target) {
 
 /// Brings two bodies, of which one is round, from afar to a gap of about `target` [m]. Each move is along the axis that
 /// separates them most.
-inline void bring_together(Bodies& bodies, double target) {
+inline void bring_together(bodies::Bodies& bodies, double target) {
   constexpr int k_moves = 3;
   for (int move = 0; move < k_moves; ++move) {
     const auto gap = oracle::true_gap(solids_of(bodies, 0)[0], solids_of(bodies, 1)[0]);
@@ -114,13 +114,13 @@ inline void bring_together(Bodies& bodies, double target) {
   }
 }
 
-inline double reach(const Shape& shape) {
+inline double reach(const geometry::Shape& shape) {
   double reach = std::hypot(shape.radius, shape.half_height);
   for (const auto& part : shape.parts) reach = std::max(reach, part.centre.norm() + part.radius);
   return reach;
 }
 
-inline void come_from_a_side(const PairClass& c, Bodies& bodies, double target, RandomStream& random) {
+inline void come_from_a_side(const PairClass& c, bodies::Bodies& bodies, double target, RandomStream& random) {
   const Vec3 d = direction_of(c.meeting, random);
   const bool round = bodies.shape[0]->parts.empty() || bodies.shape[1]->parts.empty();
   const double afar = round ? reach(*bodies.shape[0]) + reach(*bodies.shape[1]) : 0;
@@ -134,7 +134,7 @@ inline void come_from_a_side(const PairClass& c, Bodies& bodies, double target, 
 }
 
 /// Gives B the outline of A mirrored in one of A's sides, so that they share that side.
-inline void stand_mirrored(Bodies& bodies, double gap, RandomStream& random) {
+inline void stand_mirrored(bodies::Bodies& bodies, double gap, RandomStream& random) {
   const auto& outline = bodies.shape[0]->outline;
   const auto k = static_cast<std::size_t>(random.uniform(0, static_cast<double>(outline.size())));
   const Vec2 p = outline[k], along = (outline[(k + 1) % outline.size()] - p).normalized();
@@ -142,8 +142,8 @@ inline void stand_mirrored(Bodies& bodies, double gap, RandomStream& random) {
   std::vector<Vec2> image;
   for (const Vec2& x : outline) image.push_back(x - 2 * out.dot(x - p) * out);
   std::reverse(image.begin(), image.end());
-  const Vec2 centre = polygon_moments(image).centroid;
-  bodies.shape[1] = std::make_shared<const Shape>(floe_shape(image, bodies.shape[0]->thickness));
+  const Vec2 centre = geometry::polygon_moments(image).centroid;
+  bodies.shape[1] = std::make_shared<const geometry::Shape>(detect::floe_shape(image, bodies.shape[0]->thickness));
   const Vec2 place = centre + gap * out;
   bodies.set_pose(1, bodies.p_GB[0] + bodies.R_GB[0] * Vec3(place.x(), place.y(), 0), bodies.q_GB[0]);
 }
@@ -157,11 +157,12 @@ inline double draw_gap(const PairClass& c, RandomStream& random) {
 }
 
 /// Returns two bodies of the class at their poses.
-inline Bodies draw_pair(const PairClass& c, RandomStream& random) {
+inline bodies::Bodies draw_pair(const PairClass& c, RandomStream& random) {
   using oracle::Solid;
   const Vec3 origin = c.offset * Vec3(1, -1, 0.5);
-  Bodies bodies;
-  for (const MakeShape& make : {c.a, c.b}) add_body(bodies, make(random), origin, attitude_of(c.meeting, random));
+  bodies::Bodies bodies;
+  for (const MakeShape& make : {c.a, c.b})
+    detect::add_body(bodies, make(random), origin, attitude_of(c.meeting, random));
   const double gap = draw_gap(c, random);
   const auto own = [&](int b) { return oracle::posed(bodies.shape[b]->parts[0], Mat3::Identity(), Vec3::Zero()); };
   switch (c.meeting) {

@@ -34,7 +34,7 @@ struct Solid {
   }
 };
 
-inline Solid posed(const ConvexPolytope& polytope, const Mat3& R, const Vec3& p) {
+inline Solid posed(const geometry::ConvexPolytope& polytope, const Mat3& R, const Vec3& p) {
   Solid solid;
   for (const Vec3& v : polytope.vertices) solid.vertices.push_back(R * v + p);
   solid.faces = polytope.faces;
@@ -51,7 +51,7 @@ inline Solid posed(const ConvexPolytope& polytope, const Mat3& R, const Vec3& p)
   return solid;
 }
 
-inline Solid posed_cylinder(const Shape& shape, const Mat3& R, const Vec3& p) {
+inline Solid posed_cylinder(const geometry::Shape& shape, const Mat3& R, const Vec3& p) {
   Solid solid;
   solid.axis = R.col(2);
   solid.radius = shape.radius;
@@ -62,10 +62,10 @@ inline Solid posed_cylinder(const Shape& shape, const Mat3& R, const Vec3& p) {
 }
 
 /// A convex piece of a body in coordinates relative to `origin`: with a near origin no digits are lost.
-inline Solid posed(const Bodies& bodies, int b, int part = 0, const Vec3& origin = Vec3::Zero()) {
-  const Shape& shape = *bodies.shape[b];
+inline Solid posed(const bodies::Bodies& bodies, int b, int part = 0, const Vec3& origin = Vec3::Zero()) {
+  const geometry::Shape& shape = *bodies.shape[b];
   const Vec3 p = bodies.p_GB[b] - origin;
-  if (shape.kind == ShapeKind::cylinder) return posed_cylinder(shape, bodies.R_GB[b], p);
+  if (shape.kind == geometry::ShapeKind::cylinder) return posed_cylinder(shape, bodies.R_GB[b], p);
   return posed(shape.parts[part], bodies.R_GB[b], p);
 }
 

@@ -20,7 +20,7 @@ struct Way {
   Vec3 way = Vec3::Zero();   ///< Displacement over the step [m].
   Vec3 turn = Vec3::Zero();  ///< Rotation vector of the step [rad].
 
-  Solid at(const ConvexPolytope& polytope, double t) const {
+  Solid at(const geometry::ConvexPolytope& polytope, double t) const {
     const double angle = t * turn.norm();
     const Quat turned = angle > 0 ? Quat(Eigen::AngleAxisd(angle, turn.normalized())) : Quat::Identity();
     return posed(polytope, (turned * q).toRotationMatrix(), p + t * way);
@@ -44,7 +44,7 @@ inline double separation(const Solid& a, const Solid& b) {
 }
 
 struct PairOnItsWay {
-  ConvexPolytope a, b;
+  geometry::ConvexPolytope a, b;
   Way way_a, way_b;
 
   double separation_at(double t) const { return separation(way_a.at(a, t), way_b.at(b, t)); }
@@ -100,7 +100,7 @@ struct PairClass {
   double turn;  ///< Largest turn of each plate [rad].
 };
 
-inline ConvexPolytope random_plate(RandomStream& random, double slenderness) {
+inline geometry::ConvexPolytope random_plate(RandomStream& random, double slenderness) {
   const int corners = 4 + static_cast<int>(random.uniform(0, 5));
   const double size = 0.5 * std::exp(random.uniform(0, 1));
   std::vector<Vec2> outline;
@@ -109,7 +109,7 @@ inline ConvexPolytope random_plate(RandomStream& random, double slenderness) {
     outline.emplace_back(size * std::cos(angle), size * std::sin(angle));
   }
   const double half = size / slenderness;
-  return make_prism(outline, -half, half);
+  return geometry::make_prism(outline, -half, half);
 }
 
 inline Vec3 random_direction(RandomStream& random) {

@@ -72,7 +72,7 @@ struct Tally {
 inline Tally fly(const std::vector<Flight>& flights, const std::string& contact) {
   const test::ScratchFolder folder;
   WarningCounts warnings{make_logger("off", "")};
-  Simulation simulation(read_scene(folder.write("scene.xml", scene(flights, contact))), 1, warnings);
+  sim::Simulation simulation(scene::read_scene(folder.write("scene.xml", scene(flights, contact))), 1, warnings);
   Tally tally{static_cast<long>(flights.size())};
   try {
     for (int step = 0; step < 4; ++step) tally.parts += simulation.step().parts;

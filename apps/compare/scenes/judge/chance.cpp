@@ -5,7 +5,7 @@
 
 #include "core/base/statistics.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 PooledVariance pooled_variance(const std::vector<double>& twin_differences,
                                const std::vector<std::vector<double>>& settings) {
@@ -36,4 +36,4 @@ PooledVariance pooled_variance(const std::vector<double>& twin_differences,
   return of_settings.value >= pooled.value ? of_settings : pooled;
 }
 
-}  // namespace nilas
+}  // namespace nilas::compare

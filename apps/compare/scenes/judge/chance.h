@@ -2,7 +2,7 @@
 /// The variance that chance alone gives to the difference of two runs.
 #include <vector>
 
-namespace nilas {
+namespace nilas::compare {
 
 /// The variance of the difference of two runs of one realisation that differ by chaos alone. It is the larger of two
 /// estimates:
@@ -20,4 +20,4 @@ struct PooledVariance {
 PooledVariance pooled_variance(const std::vector<double>& twin_differences,
                                const std::vector<std::vector<double>>& settings);
 
-}  // namespace nilas
+}  // namespace nilas::compare

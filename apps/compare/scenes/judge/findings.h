@@ -10,7 +10,7 @@
 #include "apps/compare/scenes/judge/paired.h"
 #include "apps/compare/scenes/judge/run_table.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 /// The runs by which the caller wants to judge.
 enum class Judged {
@@ -118,10 +118,10 @@ struct Choice {
 struct Findings {
   RunTable rows;
   Judges judges;
-  std::string headline;                          ///< channel; empty without a vessel
-  std::vector<int> shared;                       ///< realisations over which the settings' means are taken
-  bool same_ice = false;                         ///< all shared realisations begin with bodies in the same places
-  std::vector<std::optional<LoadSpan>> windows;  ///< one per realisation; nothing if no run of it is done
+  std::string headline;     ///< channel; empty without a vessel
+  std::vector<int> shared;  ///< realisations over which the settings' means are taken
+  bool same_ice = false;    ///< all shared realisations begin with bodies in the same places
+  std::vector<std::optional<output::LoadSpan>> windows;  ///< one per realisation; nothing if no run of it is done
   Horizon horizon;
   Measure measure;
   JudgingLoads reference;
@@ -144,4 +144,4 @@ constexpr double k_rounding_share = 1e-12;
 /// The mean and standard error of independent values; the mean of none is NaN.
 Estimate estimate_of(const std::vector<double>& values);
 
-}  // namespace nilas
+}  // namespace nilas::compare

@@ -8,7 +8,7 @@
 #include "apps/compare/workshop/special_numbers.h"
 #include "core/base/statistics.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 namespace {
 
@@ -105,4 +105,4 @@ StepCheck step_check(const RunTable& rows, const Judges& judges, const Measure& 
   return check;
 }
 
-}  // namespace nilas
+}  // namespace nilas::compare

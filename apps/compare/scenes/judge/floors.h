@@ -2,7 +2,7 @@
 /// Floors: the size up to which an error may be chance.
 #include "apps/compare/scenes/judge/findings.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 /// The 95 % limit below which a difference from the reference, averaged over `realisations`, may be chance [N];
 /// infinite without degrees of freedom. `reference`: the share of the variance that does not average out [N^2].
@@ -27,4 +27,4 @@ std::vector<Merit> with_floors(std::vector<Merit> merits, const Judges& judges, 
 StepCheck step_check(const RunTable& rows, const Judges& judges, const Measure& measure, const Chance& chance,
                      const std::vector<Merit>& merits);
 
-}  // namespace nilas
+}  // namespace nilas::compare

@@ -10,7 +10,7 @@
 #include "apps/compare/scenes/judge/ranking.h"
 #include "apps/compare/scenes/judge/shared_realisations.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 Findings judge_runs(const Plan& plan, const std::map<std::string, RunResult>& results,
                     const std::filesystem::path& folder, Judged judged) {
@@ -54,4 +54,4 @@ Findings judge_runs(const Plan& plan, const std::map<std::string, RunResult>& re
   return f;
 }
 
-}  // namespace nilas
+}  // namespace nilas::compare

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
-namespace nilas {
+namespace nilas::compare {
 
 namespace {
 
@@ -65,4 +65,4 @@ RunTable with_judges(RunTable rows, const Judges& judges) {
   return rows;
 }
 
-}  // namespace nilas
+}  // namespace nilas::compare

@@ -6,7 +6,7 @@
 #include "apps/compare/workshop/special_numbers.h"
 #include "core/base/statistics.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 namespace {
 
@@ -118,7 +118,7 @@ double LoadErrorParts::total() const {
 static std::optional<LoadErrorParts> load_error_parts(const Plan& plan, const Findings& found, const RunRow& row) {
   const auto own = row.result.summary.load_errors.find(found.headline);
   if (own == row.result.summary.load_errors.end()) return std::nullopt;
-  const LoadErrorFigures& figures = own->second;
+  const output::LoadErrorFigures& figures = own->second;
   if (std::isnan(figures.estimate) || std::isnan(figures.solver)) return std::nullopt;
   const std::size_t setting = row.run.setting;
   LoadErrorParts parts;
@@ -149,4 +149,4 @@ LoadErrors load_errors(const Plan& plan, const Findings& found) {
   return errors;
 }
 
-}  // namespace nilas
+}  // namespace nilas::compare

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace nilas {
+namespace nilas::compare {
 
 namespace {
 
@@ -13,13 +13,13 @@ const RunRow* first_done(const RunTable& rows, int realisation) {
   return nullptr;
 }
 
-std::optional<LoadSpan> window_of(const Plan& plan, const RunTable& rows, int realisation) {
+std::optional<output::LoadSpan> window_of(const Plan& plan, const RunTable& rows, int realisation) {
   const RunRow* row = judge_of(rows, realisation);
   if (row == nullptr) row = done_run(rows, RunKind::grid, 0, realisation);
   if (row == nullptr) row = first_done(rows, realisation);
   if (row == nullptr) return std::nullopt;
   if (!row->result.summary.window) return std::nullopt;
-  LoadSpan span = *row->result.summary.window;
+  output::LoadSpan span = *row->result.summary.window;
   span.to = std::min(span.to, plan.end);  // runs that began before the plan was shortened are longer
   if (!(span.to > span.from)) return std::nullopt;
   span.from = plan.coarsest_end(span.from);
@@ -28,13 +28,14 @@ std::optional<LoadSpan> window_of(const Plan& plan, const RunTable& rows, int re
 
 }  // namespace
 
-std::vector<std::optional<LoadSpan>> windows_of(const Plan& plan, const RunTable& rows, const std::string& headline) {
-  std::vector<std::optional<LoadSpan>> windows;
+std::vector<std::optional<output::LoadSpan>> windows_of(const Plan& plan, const RunTable& rows,
+                                                        const std::string& headline) {
+  std::vector<std::optional<output::LoadSpan>> windows;
   for (int r = 0; r < plan.realisations && !headline.empty(); ++r) windows.push_back(window_of(plan, rows, r));
   return windows;
 }
 
-RunTable with_loads(const Plan& plan, const std::vector<std::optional<LoadSpan>>& windows,
+RunTable with_loads(const Plan& plan, const std::vector<std::optional<output::LoadSpan>>& windows,
                     const std::filesystem::path& folder, RunTable rows) {
   for (auto& row : rows) {
     const auto r = static_cast<std::size_t>(row.run.realisation);
@@ -66,7 +67,7 @@ JudgingLoads reference_loads(const RunTable& rows, const std::string& headline, 
   std::vector<double> mean, std, max, p99;
   for (const auto& row : rows) {
     if (!row.judges || std::find(shared.begin(), shared.end(), row.run.realisation) == shared.end()) continue;
-    const LoadStatistics& load = load_statistics_of(row, headline);
+    const output::LoadStatistics& load = load_statistics_of(row, headline);
     mean.push_back(load.mean);
     std.push_back(load.std);
     max.push_back(load.max);
@@ -75,4 +76,4 @@ JudgingLoads reference_loads(const RunTable& rows, const std::string& headline, 
   return {estimate_of(mean), estimate_of(std), estimate_of(max), estimate_of(p99)};
 }
 
-}  // namespace nilas
+}  // namespace nilas::compare

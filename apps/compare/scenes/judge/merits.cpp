@@ -6,7 +6,7 @@
 #include "apps/compare/workshop/special_numbers.h"
 #include "core/base/statistics.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 namespace {
 
@@ -41,7 +41,7 @@ struct SettingRuns {
   std::vector<double> all(const std::function<std::optional<double>(const RunRow&)>& value) const {
     return over_runs(rows, setting, shared, value);
   }
-  Estimate load(const std::string& headline, double LoadStatistics::*statistic) const {
+  Estimate load(const std::string& headline, double output::LoadStatistics::*statistic) const {
     return estimate_of(all([&](const RunRow& row) { return load_statistics_of(row, headline).*statistic; }));
   }
   Estimate motion(double MotionError::*member) const {
@@ -57,7 +57,7 @@ struct SettingRuns {
 };
 
 void read_accuracy(const SettingRuns& runs, Merit& m) {
-  const auto summary = [](const RunRow& row) -> const RunSummary& { return row.result.summary; };
+  const auto summary = [](const RunRow& row) -> const output::RunSummary& { return row.result.summary; };
   m.penetration_max_m = runs.worst([&](const RunRow& row) { return summary(row).penetration_max_m; });
   m.penetration_mean_m = runs.worst([&](const RunRow& row) { return row.result.penetration_mean_m; });
   m.law_map_m_s = runs.worst([&](const RunRow& row) { return summary(row).residuals.law_map_m_s; });
@@ -99,10 +99,10 @@ std::vector<Merit> merits_of(const Plan& plan, const RunTable& rows, const Judge
   for (std::size_t s = 0; s < plan.settings.size(); ++s) {
     Merit m = counted(rows, s, shared);
     const SettingRuns runs{rows, s, shared};
-    m.load = runs.load(headline, &LoadStatistics::mean);
-    m.load_std = runs.load(headline, &LoadStatistics::std);
-    m.load_max = runs.load(headline, &LoadStatistics::max);
-    m.load_p99 = runs.load(headline, &LoadStatistics::p99);
+    m.load = runs.load(headline, &output::LoadStatistics::mean);
+    m.load_std = runs.load(headline, &output::LoadStatistics::std);
+    m.load_max = runs.load(headline, &output::LoadStatistics::max);
+    m.load_p99 = runs.load(headline, &output::LoadStatistics::p99);
     m.load_difference = estimate_of(runs.all([](const RunRow& row) { return row.load_difference; }));
     m.motion = runs.motion(&MotionError::rms_m);
     m.turn = runs.motion(&MotionError::turn_rad);
@@ -136,4 +136,4 @@ std::vector<Merit> with_time_spread(std::vector<Merit> merits, double relative) 
   return merits;
 }
 
-}  // namespace nilas
+}  // namespace nilas::compare

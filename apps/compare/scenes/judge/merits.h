@@ -4,7 +4,7 @@
 
 #include "apps/compare/scenes/judge/findings.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 /// The error of a run in the measure's unit: its load difference, distance or turn; nothing if it is not known.
 std::optional<double> measured_error(const RunRow& row, const Measure& measure);
@@ -24,4 +24,4 @@ double time_spread(const Plan& plan, const RunTable& rows);
 /// Sets Merit::time_spread from the relative one.
 std::vector<Merit> with_time_spread(std::vector<Merit> merits, double relative);
 
-}  // namespace nilas
+}  // namespace nilas::compare

@@ -5,7 +5,7 @@
 
 #include "apps/compare/scenes/run/motion.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 namespace {
 
@@ -105,4 +105,4 @@ Measure measure_of(const RunTable& rows, const std::string& headline, const Judg
   return spins ? Measure{"turn", "rad", 1} : Measure{"distance", "m", path};
 }
 
-}  // namespace nilas
+}  // namespace nilas::compare

@@ -4,7 +4,7 @@
 
 #include "apps/compare/scenes/judge/findings.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 /// Whether the first setting's runs of all shared realisations begin with bodies in the same places. `folder`, here and
 /// below: folder of the comparison, in which runs/<id>/bodies.csv hold the motions. Throws FileError.
@@ -23,4 +23,4 @@ RunTable with_motion_errors(const Plan& plan, const Horizon& horizon, const std:
 Measure measure_of(const RunTable& rows, const std::string& headline, const JudgingLoads& reference,
                    const std::filesystem::path& folder);
 
-}  // namespace nilas
+}  // namespace nilas::compare

@@ -5,7 +5,7 @@
 #include "apps/compare/workshop/special_numbers.h"
 #include "core/base/statistics.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 PairedDifference paired_difference(std::vector<int> realisations, std::vector<double> values,
                                    std::vector<double> limits, double rounding, bool one_for_all) {
@@ -48,4 +48,4 @@ double chance_limit(std::optional<double> twin_difference, const std::vector<dou
   return degrees > 0 ? student_95(degrees) * std::sqrt(variance) : k_infinity;
 }
 
-}  // namespace nilas
+}  // namespace nilas::compare

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-namespace nilas {
+namespace nilas::compare {
 
 /// Where a difference is significant (95 %).
 enum class Certainty {
@@ -40,4 +40,4 @@ PairedDifference paired_difference(std::vector<int> realisations, std::vector<do
 /// first contact on.
 double chance_limit(std::optional<double> twin_difference, const std::vector<double>& alike);
 
-}  // namespace nilas
+}  // namespace nilas::compare

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace nilas {
+namespace nilas::compare {
 
 namespace {
 
@@ -79,4 +79,4 @@ std::vector<Merit> with_paired_differences(const Plan& plan, const Findings& fou
   return merits;
 }
 
-}  // namespace nilas
+}  // namespace nilas::compare

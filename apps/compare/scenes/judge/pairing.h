@@ -2,7 +2,7 @@
 /// Differences between settings within the same realisation.
 #include "apps/compare/scenes/judge/findings.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 /// The difference of the mean loads of the first setting and its perturbed run in a realisation [N]; nothing if one of
 /// them is not done.
@@ -20,4 +20,4 @@ std::vector<std::size_t> alike_settings(const Plan& plan);
 /// Merit::from_reference or Merit::from_own.
 double widest_limit(const std::vector<Merit>& merits, PairedDifference Merit::*member);
 
-}  // namespace nilas
+}  // namespace nilas::compare

@@ -8,7 +8,7 @@
 
 #include "core/base/statistics.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 namespace {
 
@@ -111,4 +111,4 @@ bool anything_compared(const std::vector<Merit>& merits) {
                      [](const Merit& m) { return m.done > 0 && !m.judges && std::isfinite(m.error); });
 }
 
-}  // namespace nilas
+}  // namespace nilas::compare

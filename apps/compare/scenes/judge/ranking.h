@@ -2,7 +2,7 @@
 /// Ranks the settings of a comparison by error and time.
 #include "apps/compare/scenes/judge/findings.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 /// The least number of steps whose errors show an order.
 constexpr std::size_t k_least_order_steps = 3;
@@ -22,4 +22,4 @@ std::vector<Order> orders_of(const Plan& plan, const Findings& found);
 /// Whether the error of any setting is known.
 bool anything_compared(const std::vector<Merit>& merits);
 
-}  // namespace nilas
+}  // namespace nilas::compare

@@ -6,11 +6,11 @@
 
 #include "apps/compare/workshop/special_numbers.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 namespace {
 
-constexpr LoadStatistics k_no_statistics{k_unknown, k_unknown, k_unknown, k_unknown};
+constexpr output::LoadStatistics k_no_statistics{k_unknown, k_unknown, k_unknown, k_unknown};
 
 }  // namespace
 
@@ -38,10 +38,10 @@ const RunRow* judge_of(const RunTable& rows, int realisation) {
   return nullptr;
 }
 
-const LoadStatistics& load_statistics_of(const RunRow& row, const std::string& channel) {
+const output::LoadStatistics& load_statistics_of(const RunRow& row, const std::string& channel) {
   const auto place = std::find(k_course_channels.begin(), k_course_channels.end(), channel);
   if (place != k_course_channels.end() && row.loads) return (*row.loads)[place - k_course_channels.begin()];
-  const LoadStatistics* own = row.result.summary.load(channel);
+  const output::LoadStatistics* own = row.result.summary.load(channel);
   return own == nullptr ? k_no_statistics : *own;
 }
 
@@ -50,10 +50,10 @@ double mean_load(const RunRow& row, const std::string& channel) { return load_st
 std::string headline_of(const RunTable& rows) {
   const std::string channel = k_course_channels.front();
   const auto has_it = [&](const RunRow& row) {
-    const LoadStatistics* load = row.result.summary.load(channel);
+    const output::LoadStatistics* load = row.result.summary.load(channel);
     return row.result.done() && load != nullptr && !std::isnan(load->mean);
   };
   return std::any_of(rows.begin(), rows.end(), has_it) ? channel : "";
 }
 
-}  // namespace nilas
+}  // namespace nilas::compare

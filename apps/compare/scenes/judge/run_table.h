@@ -10,7 +10,7 @@
 #include "apps/compare/scenes/run/load_series.h"
 #include "apps/compare/scenes/run/run_result.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 /// The largest difference of a run's motion from that of the judging run of its realisation, until the horizon.
 struct MotionError {
@@ -36,7 +36,7 @@ struct RunRow {
   RunResult result;
   bool judges = false;  ///< it judges the other runs of its realisation
   /// Statistics of k_course_channels over the window of its realisation [N]; nothing if the run left no load series.
-  std::optional<std::array<LoadStatistics, k_course_channels.size()>> loads{};
+  std::optional<std::array<output::LoadStatistics, k_course_channels.size()>> loads{};
   std::optional<double> load_difference{};  ///< mean of the headline channel minus that of the judging run [N]
   std::optional<double> own_difference{};   ///< mean of the headline channel minus that of the first setting [N]
   std::optional<MotionError> motion{};
@@ -57,11 +57,11 @@ const RunRow* judge_of(const RunTable& rows, int realisation);
 
 /// The statistics of a load channel [N] or [N m]; NaN if they are not known. Those of a course channel are over the
 /// window of the realisation, those of others over that of the run itself.
-const LoadStatistics& load_statistics_of(const RunRow& row, const std::string& channel);
+const output::LoadStatistics& load_statistics_of(const RunRow& row, const std::string& channel);
 double mean_load(const RunRow& row, const std::string& channel);
 
 /// The channel whose mean ranks the settings: the load along the course, which `nilas run` reports; empty if no run
 /// that is done has it.
 std::string headline_of(const RunTable& rows);
 
-}  // namespace nilas
+}  // namespace nilas::compare

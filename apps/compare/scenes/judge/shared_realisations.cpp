@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace nilas {
+namespace nilas::compare {
 
 namespace {
 
@@ -61,4 +61,4 @@ std::vector<int> shared_of(const Plan& plan, const RunTable& rows) {
   return shared_realisations(settings, judged);
 }
 
-}  // namespace nilas
+}  // namespace nilas::compare

@@ -4,7 +4,7 @@
 
 #include "apps/compare/scenes/judge/run_table.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 /// The runs of one setting that are done.
 struct DoneRuns {
@@ -21,4 +21,4 @@ std::vector<int> shared_realisations(const std::vector<DoneRuns>& settings, cons
 /// The same of a table whose judging runs are marked.
 std::vector<int> shared_of(const Plan& plan, const RunTable& rows);
 
-}  // namespace nilas
+}  // namespace nilas::compare

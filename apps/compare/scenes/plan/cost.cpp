@@ -5,7 +5,7 @@
 
 #include "core/choices/solver_name.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 namespace {
 
@@ -95,4 +95,4 @@ double solver_weight(const CompareSetting& setting, const CompareSetting& first)
   return weight(setting) / weight(first);
 }
 
-}  // namespace nilas
+}  // namespace nilas::compare

@@ -5,7 +5,7 @@
 
 #include "apps/compare/scenes/plan/setting.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 /// The cost of the first setting, measured on a short run of its own, and what is known of others.
 struct CostModel {
@@ -43,4 +43,4 @@ std::vector<double> measured_tolerances(double asked, bool fixed, const CompareS
 /// The ratio of the time of a solve of one setting to one of the first, from what solvers are known to take.
 double solver_weight(const CompareSetting& setting, const CompareSetting& first);
 
-}  // namespace nilas
+}  // namespace nilas::compare

@@ -10,7 +10,7 @@
 #include "core/sim/reference/reference.h"
 #include "core/sim/world/contact_model.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 namespace {
 
@@ -28,7 +28,7 @@ void demand_choice(const std::string& flag, const std::string& found, const std:
 }
 
 void demand_names(const GridRequest& request) {
-  for (const auto& solver : request.solvers) find_solver(solver);
+  for (const auto& solver : request.solvers) contact::find_solver(solver);
   for (const auto& law : request.laws) parse_law(law);
   for (const auto& name : request.integrators) demand_choice("--integrators", name, choice_names<Integrator>());
   for (const auto& name : request.stabilisations)
@@ -38,7 +38,7 @@ void demand_names(const GridRequest& request) {
 /// Adds settings that can run and are not there yet.
 class Collector {
  public:
-  Collector(const Scene& scene, const Overrides& overrides, Grid& grid)
+  Collector(const scene::Scene& scene, const scene::Overrides& overrides, Grid& grid)
       : scene_(scene), overrides_(overrides), grid_(grid) {}
 
   void add(const CompareSetting& setting) {
@@ -53,8 +53,8 @@ class Collector {
   }
 
  private:
-  const Scene& scene_;
-  const Overrides& overrides_;
+  const scene::Scene& scene_;
+  const scene::Overrides& overrides_;
   Grid& grid_;
 };
 
@@ -131,7 +131,7 @@ void add_default(const CompareSetting& own, std::vector<CompareSetting>& all) {
     for (const double tolerance : tolerances) all.push_back(with_model(aiming(own, tolerance), model));
 }
 
-void add_ablation(const Scene& scene, const Grid& grid, Collector& collector) {
+void add_ablation(const scene::Scene& scene, const Grid& grid, Collector& collector) {
   std::vector<Simplification> together;
   collector.add(without_simplifications(scene));
   if (grid.settings.empty()) return;
@@ -155,14 +155,14 @@ bool GridRequest::names_axes() const {
          !tolerances.empty();
 }
 
-Scene read_with(const Scene& scene, const Overrides& overrides, const CompareSetting& setting) {
-  Overrides all = overrides;
-  const Overrides own = setting.overrides();
+scene::Scene read_with(const scene::Scene& scene, const scene::Overrides& overrides, const CompareSetting& setting) {
+  scene::Overrides all = overrides;
+  const scene::Overrides own = setting.overrides();
   all.insert(all.end(), own.begin(), own.end());
-  return read_scene(scene.file, all);
+  return scene::read_scene(scene.file, all);
 }
 
-Grid make_grid(const Scene& scene, const Overrides& overrides, const GridRequest& request) {
+Grid make_grid(const scene::Scene& scene, const scene::Overrides& overrides, const GridRequest& request) {
   demand_names(request);
   Grid grid;
   Collector collector(scene, overrides, grid);
@@ -213,7 +213,8 @@ std::size_t core_of(const Grid& grid, const GridRequest& request) {
   return core;
 }
 
-CompareSetting reference_setting(const Scene& scene, const Overrides& overrides, const Grid& grid, double tolerance) {
+CompareSetting reference_setting(const scene::Scene& scene, const scene::Overrides& overrides, const Grid& grid,
+                                 double tolerance) {
   CompareSetting reference = setting_of(scene);
   reference.law = scene.contact.law.law == Law::frictionless ? "frictionless" : "coulomb";
   reference.tolerance = tolerance;
@@ -244,4 +245,4 @@ CompareSetting reference_setting(const Scene& scene, const Overrides& overrides,
   return reference;
 }
 
-}  // namespace nilas
+}  // namespace nilas::compare

@@ -5,7 +5,7 @@
 
 #include "apps/compare/scenes/plan/setting.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 /// The request of the command line. An empty list leaves an axis to the default grid.
 struct GridRequest {
@@ -32,7 +32,7 @@ struct Grid {
 
 /// Makes the grid. `overrides`: the user's, with which the scene was read. Throws InputError with the nearest name for
 /// a solver, law, integrator or stabilisation that does not exist, and if only the scene's own setting is left.
-Grid make_grid(const Scene& scene, const Overrides& overrides, const GridRequest& request);
+Grid make_grid(const scene::Scene& scene, const scene::Overrides& overrides, const GridRequest& request);
 
 /// The number of settings, from the first on, that differ from it in at most one thing; all settings of an ablation.
 std::size_t core_of(const Grid& grid, const GridRequest& request);
@@ -41,9 +41,10 @@ std::size_t core_of(const Grid& grid, const GridRequest& request);
 /// it has the event-driven integrator `reference`, which `nilas verify` checks against closed forms. Else it has half
 /// the finest step of the grid, exact Coulomb friction (no friction if the scene has none), projection, moreau if the
 /// scene takes it, and the solver auto at `tolerance` [m/s].
-CompareSetting reference_setting(const Scene& scene, const Overrides& overrides, const Grid& grid, double tolerance);
+CompareSetting reference_setting(const scene::Scene& scene, const scene::Overrides& overrides, const Grid& grid,
+                                 double tolerance);
 
 /// Reads the scene with a setting. Throws SceneError or InputError if it cannot run.
-Scene read_with(const Scene& scene, const Overrides& overrides, const CompareSetting& setting);
+scene::Scene read_with(const scene::Scene& scene, const scene::Overrides& overrides, const CompareSetting& setting);
 
-}  // namespace nilas
+}  // namespace nilas::compare

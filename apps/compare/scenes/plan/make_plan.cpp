@@ -8,7 +8,7 @@
 
 #include "apps/compare/workshop/special_numbers.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 namespace {
 
@@ -276,4 +276,4 @@ Plan make_plan(const PlanInput& input) {
   return plan;
 }
 
-}  // namespace nilas
+}  // namespace nilas::compare

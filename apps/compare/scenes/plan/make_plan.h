@@ -3,7 +3,7 @@
 #include "apps/compare/scenes/plan/cost.h"
 #include "apps/compare/scenes/plan/plan.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 struct PlanRequest {
   double budget_s = 1200;  ///< wall time of what is planned [s]; 0: no limit
@@ -37,4 +37,4 @@ struct PlanInput {
 /// If the first setting judges, settings are cut before less than a quarter of the load's window is left.
 Plan make_plan(const PlanInput& input);
 
-}  // namespace nilas
+}  // namespace nilas::compare

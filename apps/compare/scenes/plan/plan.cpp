@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace nilas {
+namespace nilas::compare {
 
 const CompareSetting& Plan::setting_of(const PlannedRun& run) const {
   if (run.kind == RunKind::reference) return reference;
@@ -22,7 +22,7 @@ double rounded_budget(double seconds) {
   return std::ceil(seconds / unit) * unit;
 }
 
-std::vector<Omission> absent_simplifications(const Scene& scene) {
+std::vector<Omission> absent_simplifications(const scene::Scene& scene) {
   std::vector<Omission> absent;
   for (const Simplification which : all_simplifications())
     if (const std::string why = no_effect(which, scene); !why.empty()) absent.push_back({name_of(which), why});
@@ -71,11 +71,11 @@ void extend_realisations(Plan& plan, int realisations) {
   plan.realisations = std::max(plan.realisations, realisations);
 }
 
-Overrides realisation_overrides(std::uint64_t seed, const PlannedRun& run, bool vary_seed) {
+scene::Overrides realisation_overrides(std::uint64_t seed, const PlannedRun& run, bool vary_seed) {
   const auto number = static_cast<std::uint64_t>(run.realisation);
   constexpr std::uint64_t k_twins = 1000;  // above any number of realisations
   const std::uint64_t twin = run.kind == RunKind::twin ? k_twins + number : number;
   return {{"seed/@value", std::to_string(vary_seed ? seed + number : seed)}, {"seed/@twin", std::to_string(twin)}};
 }
 
-}  // namespace nilas
+}  // namespace nilas::compare

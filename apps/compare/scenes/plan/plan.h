@@ -6,7 +6,7 @@
 
 #include "apps/compare/scenes/plan/setting.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 /// The time of a budget that is kept for reading and drawing at its end [s].
 constexpr double k_closing_s = 3;
@@ -32,7 +32,7 @@ struct Omission {
 };
 
 /// The simplifications that have nothing to change in a scene, and why.
-std::vector<Omission> absent_simplifications(const Scene& scene);
+std::vector<Omission> absent_simplifications(const scene::Scene& scene);
 
 /// The omissions as lines "reason: this; that", one for each reason.
 std::vector<std::string> by_reason(const std::vector<Omission>& omissions);
@@ -63,6 +63,6 @@ double rounded_budget(double seconds);
 void extend_realisations(Plan& plan, int realisations);
 
 /// The overrides of a realisation: the seed and the number of the perturbed start.
-Overrides realisation_overrides(std::uint64_t seed, const PlannedRun& run, bool vary_seed);
+scene::Overrides realisation_overrides(std::uint64_t seed, const PlannedRun& run, bool vary_seed);
 
-}  // namespace nilas
+}  // namespace nilas::compare

@@ -6,26 +6,26 @@
 
 #include "core/base/error.h"
 
-namespace nilas {
+namespace nilas::compare {
 
-Overrides CompareSetting::overrides() const {
-  Overrides all{{"contact/@solver", solver},
-                {"contact/@law", law},
-                {"time/@step", fmt::format("{}", step)},
-                {"contact/@tolerance", fmt::format("{}", tolerance)},
-                {"contact/@integrator", integrator},
-                {"contact/@stabilisation", stabilisation}};
+scene::Overrides CompareSetting::overrides() const {
+  scene::Overrides all{{"contact/@solver", solver},
+                       {"contact/@law", law},
+                       {"time/@step", fmt::format("{}", step)},
+                       {"contact/@tolerance", fmt::format("{}", tolerance)},
+                       {"contact/@integrator", integrator},
+                       {"contact/@stabilisation", stabilisation}};
   all.insert(all.end(), more.begin(), more.end());
   return all;
 }
 
-CompareSetting setting_of(const Scene& scene) {
-  const ContactScene& contact = scene.contact;
+CompareSetting setting_of(const scene::Scene& scene) {
+  const scene::ContactScene& contact = scene.contact;
   return {name_of(contact.solver),        name_of(contact.law), name_of(contact.integrator),
           name_of(contact.stabilisation), scene.time.step,      contact.tolerance};
 }
 
-CompareSetting without_simplifications(const Scene& scene) {
+CompareSetting without_simplifications(const scene::Scene& scene) {
   CompareSetting setting = setting_of(scene);
   setting.law = "coulomb";
   if (setting.solver == "pgs") setting.solver = "auto";
@@ -35,13 +35,13 @@ CompareSetting without_simplifications(const Scene& scene) {
   setting.more = {
       {"contact/@max_iterations", std::to_string(std::max(defaults::k_max_iterations, scene.contact.max_iterations))}};
   for (const Simplification which : all_simplifications()) {
-    const Overrides changes = taking_out(which, scene);
+    const scene::Overrides changes = taking_out(which, scene);
     setting.more.insert(setting.more.end(), changes.begin(), changes.end());
   }
   return setting;
 }
 
-CompareSetting with_simplifications(const Scene& scene, const std::vector<Simplification>& on) {
+CompareSetting with_simplifications(const scene::Scene& scene, const std::vector<Simplification>& on) {
   CompareSetting setting = without_simplifications(scene);
   setting.simplifications = on;
   for (const Simplification which : on) {
@@ -51,7 +51,7 @@ CompareSetting with_simplifications(const Scene& scene, const std::vector<Simpli
       setting.solver = "pgs";
       setting.tolerance = 0;
     }
-    const Overrides changes = putting_in(which, scene);
+    const scene::Overrides changes = putting_in(which, scene);
     setting.more.insert(setting.more.end(), changes.begin(), changes.end());
   }
   return setting;
@@ -118,4 +118,4 @@ double coarsest_step(const std::vector<CompareSetting>& settings) {
   return step;
 }
 
-}  // namespace nilas
+}  // namespace nilas::compare

@@ -6,7 +6,7 @@
 #include "apps/compare/scenes/plan/simplification.h"
 #include "core/choices/defaults.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 /// The tolerance that stands in for a fixed number of sweeps [m/s].
 constexpr double k_usual_tolerance = defaults::k_tolerance;
@@ -16,20 +16,20 @@ struct CompareSetting {
   double step = 0;       ///< time step [s]
   double tolerance = 0;  ///< tolerance on law_map_m_s [m/s]; 0: always the scene's number of sweeps
   std::vector<Simplification> simplifications{};
-  Overrides more{};  ///< other changes of the scene
+  scene::Overrides more{};  ///< other changes of the scene
 
   /// The overrides as `--set` takes them. The last one for a path applies.
-  Overrides overrides() const;
+  scene::Overrides overrides() const;
   bool operator==(const CompareSetting&) const = default;
 };
 
 /// The setting that the scene asks for.
-CompareSetting setting_of(const Scene& scene);
+CompareSetting setting_of(const scene::Scene& scene);
 /// The setting in which each simplification that has an effect on the scene is taken out. Its overrides are for
 /// `scene`.
-CompareSetting without_simplifications(const Scene& scene);
+CompareSetting without_simplifications(const scene::Scene& scene);
 /// The same with some simplifications turned on, singly or together.
-CompareSetting with_simplifications(const Scene& scene, const std::vector<Simplification>& on);
+CompareSetting with_simplifications(const scene::Scene& scene, const std::vector<Simplification>& on);
 
 /// The label of a setting: its differences from the first setting of the comparison, as in "nsgs + step 0.02 s", or
 /// "own setting" without any. In an ablation it is the name of the simplification, "all together" or "none".
@@ -47,4 +47,4 @@ std::vector<std::string> differences(const CompareSetting& a, const CompareSetti
 /// The coarsest step of the settings [s].
 double coarsest_step(const std::vector<CompareSetting>& settings);
 
-}  // namespace nilas
+}  // namespace nilas::compare

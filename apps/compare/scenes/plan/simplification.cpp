@@ -7,7 +7,7 @@
 #include "core/base/log.h"
 #include "core/sim/simulation.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 namespace {
 
@@ -62,59 +62,61 @@ std::string friction_path(std::size_t k, const char* attribute) {
 }
 
 /// The overrides that lower static to kinetic friction for all pairs that have more of it.
-Overrides static_as_kinetic(const Scene& scene) {
-  Overrides changes;
+scene::Overrides static_as_kinetic(const scene::Scene& scene) {
+  scene::Overrides changes;
   for (std::size_t k = 0; k < scene.contact.friction.size(); ++k) {
-    const FrictionScene& pair = scene.contact.friction[k];
+    const scene::FrictionScene& pair = scene.contact.friction[k];
     if (pair.static_ > pair.kinetic) changes.emplace_back(friction_path(k, "static"), fmt::format("{}", pair.kinetic));
   }
   return changes;
 }
 
-Overrides without_moments(const Scene& scene) {
-  Overrides changes;
+scene::Overrides without_moments(const scene::Scene& scene) {
+  scene::Overrides changes;
   for (std::size_t k = 0; k < scene.contact.friction.size(); ++k) {
-    const FrictionScene& pair = scene.contact.friction[k];
+    const scene::FrictionScene& pair = scene.contact.friction[k];
     if (pair.rolling > 0) changes.emplace_back(friction_path(k, "rolling"), "0");
     if (pair.spinning > 0) changes.emplace_back(friction_path(k, "spinning"), "0");
   }
   return changes;
 }
 
-const CrushingScene* crushing_of(const Scene& scene) {
+const scene::CrushingScene* crushing_of(const scene::Scene& scene) {
   return scene.fracture && scene.fracture->crushing ? &*scene.fracture->crushing : nullptr;
 }
 
 /// Whether the scene has ice that breaks or splits by its strength.
-bool breaks(const Scene& scene) {
+bool breaks(const scene::Scene& scene) {
   return scene.ice && scene.fracture && (scene.fracture->bending || scene.fracture->splitting);
 }
 
-bool varies(const Scene& scene) { return scene.ice && !scene.ice->vary.empty(); }
+bool varies(const scene::Scene& scene) { return scene.ice && !scene.ice->vary.empty(); }
 
 /// Whether ice is, or can be made, weaker in some places of a floe than in others.
-bool has_weak_places(const Scene& scene) {
+bool has_weak_places(const scene::Scene& scene) {
   if (!varies(scene)) return breaks(scene);  // taking_out(uniform_ice) draws strengths within floes
-  const IceScene& ice = *scene.ice;
-  return !ice.weak_lines.empty() || std::any_of(ice.fields.begin(), ice.fields.end(), [](const FieldScene& f) {
-    const auto* cells = std::get_if<VoronoiFieldScene>(&f.form);
+  const scene::IceScene& ice = *scene.ice;
+  return !ice.weak_lines.empty() || std::any_of(ice.fields.begin(), ice.fields.end(), [](const scene::FieldScene& f) {
+    const auto* cells = std::get_if<scene::VoronoiFieldScene>(&f.form);
     return cells && cells->bond;
-  }) || std::any_of(ice.vary.begin(), ice.vary.end(), [](const VaryScene& v) { return v.correlation_length > 0; });
+  }) || std::any_of(ice.vary.begin(), ice.vary.end(), [](const scene::VaryScene& v) {
+    return v.correlation_length > 0;
+  });
 }
 
 /// The inertia that `<vessel><mass>` has by default, as the attribute's text [kg m^2].
-std::string inertia_by_default(const Scene& scene) {
-  Scene bare = scene;
+std::string inertia_by_default(const scene::Scene& scene) {
+  scene::Scene bare = scene;
   bare.vessel->mass.inertia.reset();
   bare.ice.reset();
   bare.fracture.reset();
   WarningCounts warnings(make_logger("off", ""));
-  const Mat3 I = Simulation(bare, 1, warnings).info().vessel_mass.inertia;
+  const Mat3 I = sim::Simulation(bare, 1, warnings).info().vessel_mass.inertia;
   return fmt::format("{} {} {} {} {} {}", I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2));
 }
 
 /// The same as no_effect() for simplifications of the ice: crushing, splitting, cracks and their material.
-std::string no_effect_on_ice(Simplification simplification, const Scene& scene) {
+std::string no_effect_on_ice(Simplification simplification, const scene::Scene& scene) {
   using enum Simplification;
   switch (simplification) {
     case crushing_limit:
@@ -147,7 +149,7 @@ const std::vector<Simplification>& all_simplifications() {
   return all;
 }
 
-std::string no_effect(Simplification simplification, const Scene& scene) {
+std::string no_effect(Simplification simplification, const scene::Scene& scene) {
   using enum Simplification;
   if (simplification == equal_friction && static_as_kinetic(scene).empty())
     return "no pair of materials has more static than kinetic friction";
@@ -164,7 +166,7 @@ std::string no_effect(Simplification simplification, const Scene& scene) {
   return no_effect_on_ice(simplification, scene);
 }
 
-Overrides taking_out(Simplification simplification, const Scene& scene) {
+scene::Overrides taking_out(Simplification simplification, const scene::Scene& scene) {
   using enum Simplification;
   if (!no_effect(simplification, scene).empty()) return {};
   switch (simplification) {
@@ -200,7 +202,7 @@ Overrides taking_out(Simplification simplification, const Scene& scene) {
   }
 }
 
-Overrides putting_in(Simplification simplification, const Scene& scene) {
+scene::Overrides putting_in(Simplification simplification, const scene::Scene& scene) {
   using enum Simplification;
   switch (simplification) {
     case equal_friction:
@@ -232,7 +234,7 @@ Overrides putting_in(Simplification simplification, const Scene& scene) {
       return {{"fracture/cracks/@path", "straight"}};
     case uniform_ice: {
       if (!varies(scene)) return {{"ice/vary[+]/@cov", "0"}};
-      Overrides changes;
+      scene::Overrides changes;
       for (std::size_t k = 0; k < scene.ice->vary.size(); ++k)
         changes.emplace_back(fmt::format("ice/vary[{}]/@cov", k + 1), "0");
       return changes;
@@ -253,4 +255,4 @@ const std::vector<Inexpressible>& inexpressible_simplifications() {
   return all;
 }
 
-}  // namespace nilas
+}  // namespace nilas::compare

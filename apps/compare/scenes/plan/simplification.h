@@ -5,7 +5,7 @@
 
 #include "core/scene/read/read_scene.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 enum class Simplification {
   pyramid,
@@ -33,12 +33,12 @@ const char* meaning_of(Simplification simplification);
 /// All simplifications in the order of their importance. A short budget leaves out those at the end.
 const std::vector<Simplification>& all_simplifications();
 /// Why a simplification has nothing to change in a scene; empty if it has.
-std::string no_effect(Simplification simplification, const Scene& scene);
+std::string no_effect(Simplification simplification, const scene::Scene& scene);
 
 /// The overrides that take a simplification out of a scene, and those that put it into a scene from which all are taken
 /// out. They are empty for simplifications that are a law, a solver or a stabilisation of a CompareSetting.
-Overrides taking_out(Simplification simplification, const Scene& scene);
-Overrides putting_in(Simplification simplification, const Scene& scene);
+scene::Overrides taking_out(Simplification simplification, const scene::Scene& scene);
+scene::Overrides putting_in(Simplification simplification, const scene::Scene& scene);
 
 /// A simplification that Nilas makes itself, so that every setting has it.
 struct Inexpressible {
@@ -47,4 +47,4 @@ struct Inexpressible {
 };
 const std::vector<Inexpressible>& inexpressible_simplifications();
 
-}  // namespace nilas
+}  // namespace nilas::compare

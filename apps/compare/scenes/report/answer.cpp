@@ -7,7 +7,7 @@
 #include "apps/compare/scenes/report/paired_text.h"
 #include "core/output/loads/ice_load_text.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 namespace {
 
@@ -25,7 +25,8 @@ std::string such_ice(const Findings& found) { return found.same_ice ? "this ice"
 /// The quantity of which errors in percent are shares.
 std::string scale_text(const Findings& found) {
   if (found.measure.is_load())
-    return fmt::format("the reference's mean ice load ({} along the course)", force_text(found.reference.mean.mean));
+    return fmt::format("the reference's mean ice load ({} along the course)",
+                       output::force_text(found.reference.mean.mean));
   if (found.measure.name == "turn") return "1 rad";
   return fmt::format("the longest path of a body ({})", quantity_text(found.measure.scale, "m"));
 }
@@ -110,8 +111,8 @@ void say_price(const SceneReport& report, std::vector<std::string>& lines) {
 
 /// "+1.2 N +- 0.3 N, which is significant (95 %)", or why it is not known to be.
 std::string change_text(const PairedDifference& d) {
-  std::string text = force_text(d.mean);
-  if (std::isfinite(d.half_width)) text += " +- " + force_text(d.half_width);
+  std::string text = output::force_text(d.mean);
+  if (std::isfinite(d.half_width)) text += " +- " + output::force_text(d.half_width);
   switch (d.certainty) {
     case Certainty::everywhere:
       return text + ", which is significant (95 %)";
@@ -284,4 +285,4 @@ std::string report_text(const SceneReport& report) {
   return text;
 }
 
-}  // namespace nilas
+}  // namespace nilas::compare

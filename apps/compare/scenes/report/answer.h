@@ -5,7 +5,7 @@
 
 #include "apps/compare/scenes/report/scene_report.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 /// The answer: which setting gives the measured quantity within the stated error, and at what cost; for an ablation,
 /// what each simplification changes. If nothing can be compared, the answer is why.
@@ -17,4 +17,4 @@ std::vector<std::string> caveat_lines(const SceneReport& report);
 /// All of them and the outlook for a terminal, a line per sentence. Commands begin with two blanks.
 std::string report_text(const SceneReport& report);
 
-}  // namespace nilas
+}  // namespace nilas::compare

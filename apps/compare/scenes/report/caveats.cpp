@@ -6,7 +6,7 @@
 #include "apps/compare/scenes/report/answer.h"
 #include "apps/compare/scenes/report/paired_text.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 namespace {
 
@@ -103,4 +103,4 @@ std::vector<std::string> caveat_lines(const SceneReport& report) {
   return lines;
 }
 
-}  // namespace nilas
+}  // namespace nilas::compare

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace nilas {
+namespace nilas::compare {
 
 namespace {
 
@@ -148,4 +148,4 @@ const char* plain_name_of(RunKind kind) {
   return "setting";
 }
 
-}  // namespace nilas
+}  // namespace nilas::compare

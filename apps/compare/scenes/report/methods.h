@@ -5,7 +5,7 @@
 
 #include "apps/compare/scenes/report/scene_report.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 /// The reference, the ice and the time of the comparison, how chance and times were measured, and what was left out.
 std::vector<std::string> method_lines(const SceneReport& report);
@@ -14,4 +14,4 @@ std::vector<std::string> method_lines(const SceneReport& report);
 /// "perturbed run of the scene's own setting".
 const char* plain_name_of(RunKind kind);
 
-}  // namespace nilas
+}  // namespace nilas::compare

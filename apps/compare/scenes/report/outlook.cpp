@@ -10,7 +10,7 @@
 #include "core/output/loads/ice_load_text.h"
 #include "core/output/text/console.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 namespace {
 
@@ -33,7 +33,7 @@ std::optional<int> realisations_for_target(const Findings& found, int from) {
 }
 
 std::string share_text(double newton, const Findings& found) {
-  return fmt::format("{} ({:.2g} %)", force_text(newton), 100 * newton / found.measure.scale);
+  return fmt::format("{} ({:.2g} %)", output::force_text(newton), 100 * newton / found.measure.scale);
 }
 
 }  // namespace
@@ -96,21 +96,21 @@ std::vector<std::string> outlook_lines(const Outlook& view, const SceneStudy& st
     const MoreTime& more = *view.next;
     const std::string now = more.missing_runs > 0 ? "" : fmt::format(" instead of {}", study.plan.realisations);
     lines.push_back(fmt::format("With about {} more, all {} settings would have {} realisation{}{}.{}",
-                                duration_text(more.seconds), study.plan.settings.size(), more.realisations,
+                                output::duration_text(more.seconds), study.plan.settings.size(), more.realisations,
                                 more.realisations == 1 ? "" : "s", now, gain_text(more, found)));
     lines.emplace_back("To continue:");
     lines.push_back("  " + more.command);
   }
   if (view.for_target)
     lines.push_back(fmt::format("About {} realisations, {} more, would make differences of {:g} % significant.",
-                                *view.for_target, duration_text(view.for_target_s), 100 * k_target));
+                                *view.for_target, output::duration_text(view.for_target_s), 100 * k_target));
   if (view.least_s > 0)
     lines.push_back(fmt::format("To compare two settings on a machine as busy as now, use about --budget {:g} ({}).",
-                                view.least_s, duration_text(view.least_s)));
+                                view.least_s, output::duration_text(view.least_s)));
   if (view.whole_s > 0)
     lines.push_back(
         fmt::format("A new comparison that leaves nothing out of what was asked for needs about --budget {:g} ({}).",
-                    view.whole_s, duration_text(view.whole_s)));
+                    view.whole_s, output::duration_text(view.whole_s)));
   return lines;
 }
 
@@ -131,4 +131,4 @@ nlohmann::ordered_json outlook_json(const Outlook& view) {
   return json;
 }
 
-}  // namespace nilas
+}  // namespace nilas::compare

@@ -9,7 +9,7 @@
 #include "apps/compare/scenes/judge/findings.h"
 #include "apps/compare/scenes/run/scene_study.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 /// More runs of a comparison, and what they would show.
 struct MoreTime {
@@ -43,4 +43,4 @@ Outlook outlook(const SceneStudy& study, const Findings& found, const std::files
 std::vector<std::string> outlook_lines(const Outlook& outlook, const SceneStudy& study, const Findings& found);
 nlohmann::ordered_json outlook_json(const Outlook& outlook);
 
-}  // namespace nilas
+}  // namespace nilas::compare

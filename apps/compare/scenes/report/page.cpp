@@ -14,7 +14,7 @@
 #include "core/output/file/output_file.h"
 #include "core/output/text/html.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 namespace {
 
@@ -210,10 +210,10 @@ void write_scene_page(const std::filesystem::path& folder, Json view, const std:
                       const std::string& no_figures) {
   Json figures = Json::array();
   for (const auto& picture : pictures)
-    figures.push_back({{"svg", inline_svg(folder / (picture + ".svg"))}, {"caption", caption_of(picture)}});
+    figures.push_back({{"svg", output::inline_svg(folder / (picture + ".svg"))}, {"caption", caption_of(picture)}});
   view["figures"] = figures;
   view["no_figures"] = no_figures;
-  write_whole(folder / "compare.html", page_text("scene_page.html", std::move(view)));
+  output::write_whole(folder / "compare.html", page_text("scene_page.html", std::move(view)));
 }
 
 }  // namespace
@@ -223,9 +223,9 @@ void write_first_page(const std::filesystem::path& folder, const SceneReport& re
 }
 
 std::string write_report(const std::filesystem::path& folder, const SceneReport& report) {
-  write_whole(folder / "compare.csv", runs_csv(report));
-  write_whole(folder / "settings.csv", settings_csv(report));
-  write_whole(folder / "loads.csv", loads_csv(report));
+  output::write_whole(folder / "compare.csv", runs_csv(report));
+  output::write_whole(folder / "settings.csv", settings_csv(report));
+  output::write_whole(folder / "loads.csv", loads_csv(report));
   write_json(folder / "compare.json", report_json(report));
   const Json view = view_of(report);
   write_scene_page(folder, view, {}, "The pictures are not drawn yet.");  // the page is complete even if drawing fails
@@ -238,4 +238,4 @@ std::string write_report(const std::filesystem::path& folder, const SceneReport&
   return drawings.trouble;
 }
 
-}  // namespace nilas
+}  // namespace nilas::compare

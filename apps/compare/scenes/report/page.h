@@ -5,7 +5,7 @@
 
 #include "apps/compare/scenes/report/pictures.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 /// Writes compare.html without pictures, before anything was run. Throws FileError.
 void write_first_page(const std::filesystem::path& folder, const SceneReport& report);
@@ -14,4 +14,4 @@ void write_first_page(const std::filesystem::path& folder, const SceneReport& re
 /// missing, or an empty text. Throws FileError if a table or the page cannot be written.
 std::string write_report(const std::filesystem::path& folder, const SceneReport& report);
 
-}  // namespace nilas
+}  // namespace nilas::compare

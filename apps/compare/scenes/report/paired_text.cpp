@@ -8,17 +8,18 @@
 #include "apps/compare/scenes/judge/pairing.h"
 #include "core/output/loads/ice_load_text.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 namespace {
 
 constexpr std::size_t k_most_named = 4;
 
-std::string signed_force(double newton) { return (newton > 0 ? "+" : "") + force_text(newton); }
+std::string signed_force(double newton) { return (newton > 0 ? "+" : "") + output::force_text(newton); }
 
 std::string amount(const PairedDifference& d, double scale) {
-  const std::string width =
-      std::isfinite(d.half_width) && d.certainty == Certainty::everywhere ? " +- " + force_text(d.half_width) : "";
+  const std::string width = std::isfinite(d.half_width) && d.certainty == Certainty::everywhere
+                                ? " +- " + output::force_text(d.half_width)
+                                : "";
   return fmt::format("{}{} ({:+.2g} %)", signed_force(d.mean), width, 100 * d.mean / scale);
 }
 
@@ -75,7 +76,7 @@ std::string one_realisation_line(const std::vector<const Merit*>& list, const Fi
       "In the one realisation that was run, the mean ice load differs significantly from that of {} (chance alone "
       "makes at "
       "most {} there, 95 %): {}. This says nothing about other ice.",
-      other, force_text(widest_limit(found.merits, member)), by_setting(list, found, member, labels));
+      other, output::force_text(widest_limit(found.merits, member)), by_setting(list, found, member, labels));
 }
 
 std::string some_realisations_line(const std::vector<const Merit*>& list, const Findings& found, Member member,
@@ -139,7 +140,7 @@ std::vector<std::string> difference_lines(const Findings& found, PairedDifferenc
     const double limit = widest_limit(found.merits, member);
     lines.push_back(fmt::format(
         "No setting's mean ice load differs significantly from that of {}, not even run by run on the same ice{}.",
-        other, limit > 0 ? fmt::format(", where chance alone makes up to {} (95 %)", force_text(limit)) : ""));
+        other, limit > 0 ? fmt::format(", where chance alone makes up to {} (95 %)", output::force_text(limit)) : ""));
   }
   return lines;
 }
@@ -151,4 +152,4 @@ std::string realisations_text(const std::vector<int>& realisations) {
   return fmt::format("realisation{} {}", realisations.size() == 1 ? "" : "s", list);
 }
 
-}  // namespace nilas
+}  // namespace nilas::compare

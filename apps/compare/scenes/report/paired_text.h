@@ -5,7 +5,7 @@
 
 #include "apps/compare/scenes/judge/findings.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 /// The name in tables and JSON: "everywhere", "in realisations", "none" or "unknown".
 const char* name_of(Certainty certainty);
@@ -21,4 +21,4 @@ std::vector<std::string> difference_lines(const Findings& found, PairedDifferenc
 /// The realisations in words: "realisation 0", "realisations 0, 1 and 2".
 std::string realisations_text(const std::vector<int>& realisations);
 
-}  // namespace nilas
+}  // namespace nilas::compare

@@ -14,7 +14,7 @@
 #include "core/base/statistics.h"
 #include "core/output/text/plot.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 namespace {
 
@@ -331,13 +331,13 @@ Drawings draw(const std::filesystem::path& folder, const std::vector<Picture>& p
   Drawings drawings;
   for (const auto& picture : pictures) {
     try {
-      plot(folder, script_of(picture));
+      output::plot(folder, script_of(picture));
       drawings.drawn.push_back(picture.name);
-    } catch (const PlotError& e) {
+    } catch (const output::PlotError& e) {
       drawings.trouble = e.what();
     }
   }
   return drawings;
 }
 
-}  // namespace nilas
+}  // namespace nilas::compare

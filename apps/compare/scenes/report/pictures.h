@@ -7,7 +7,7 @@
 #include "apps/compare/scenes/report/scene_report.h"
 #include "apps/compare/workshop/picture.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 /// The pictures for which there is something to draw. They are differences (run by run on the same ice), front
 /// (computing time against the error that ranks the settings), motion (against the distance from the reference) and
@@ -22,4 +22,4 @@ struct Drawings {
 /// Draws each picture into the folder as SVG and PNG.
 Drawings draw(const std::filesystem::path& folder, const std::vector<Picture>& pictures);
 
-}  // namespace nilas
+}  // namespace nilas::compare

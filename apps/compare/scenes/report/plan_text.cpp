@@ -4,15 +4,15 @@
 
 #include "core/output/text/console.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 std::vector<std::string> plan_lines(const SceneStudy& study) {
   const Plan& plan = study.plan;
   std::vector<std::string> lines;
   lines.push_back(fmt::format("{} runs: {} settings x {} realisation{}, {:g} s simulated; about {} with {} job{}",
                               plan.runs.size(), plan.settings.size(), plan.realisations,
-                              plan.realisations == 1 ? "" : "s", plan.end - plan.start, duration_text(plan.estimate_s),
-                              study.jobs, study.jobs == 1 ? "" : "s"));
+                              plan.realisations == 1 ? "" : "s", plan.end - plan.start,
+                              output::duration_text(plan.estimate_s), study.jobs, study.jobs == 1 ? "" : "s"));
   lines.push_back((study.ablation ? "without simplifications: " : "own setting: ") + full_label(plan.settings.front()));
   std::string others;
   for (std::size_t k = 1; k < plan.settings.size(); ++k)
@@ -33,4 +33,4 @@ std::string shorter_line(const Plan& plan, double before, double factor) {
       factor, plan.end - plan.start, before - plan.start);
 }
 
-}  // namespace nilas
+}  // namespace nilas::compare

@@ -5,7 +5,7 @@
 
 #include "apps/compare/scenes/run/scene_study.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 /// The plan, one statement per line.
 std::vector<std::string> plan_lines(const SceneStudy& study);
@@ -14,4 +14,4 @@ std::vector<std::string> plan_lines(const SceneStudy& study);
 /// as long as measured.
 std::string shorter_line(const Plan& plan, double before, double factor);
 
-}  // namespace nilas
+}  // namespace nilas::compare

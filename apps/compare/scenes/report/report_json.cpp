@@ -5,7 +5,7 @@
 #include "apps/compare/scenes/run/study_json.h"
 #include "apps/compare/workshop/json_store.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 namespace {
 
@@ -131,4 +131,4 @@ Json report_json(const SceneReport& report) {
           {"time_spread_relative", number_or_null(found.time_spread)}};
 }
 
-}  // namespace nilas
+}  // namespace nilas::compare

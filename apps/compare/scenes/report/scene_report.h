@@ -9,7 +9,7 @@
 #include "apps/compare/scenes/report/outlook.h"
 #include "apps/compare/scenes/run/scene_study.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 /// How the runs shared the machine.
 struct StudyTiming {
@@ -46,4 +46,4 @@ std::string quantity_text(double value, const std::string& unit);
 /// A share in percent: "3.21 %".
 std::string percent_text(double share);
 
-}  // namespace nilas
+}  // namespace nilas::compare

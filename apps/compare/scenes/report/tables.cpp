@@ -7,18 +7,18 @@
 #include "apps/compare/workshop/csv_table.h"
 #include "apps/compare/workshop/special_numbers.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 namespace {
 
 struct NamedStatistic {
   const char* name;
-  double LoadStatistics::*member;
+  double output::LoadStatistics::*member;
 };
-constexpr std::array<NamedStatistic, 4> k_statistics{{{"mean", &LoadStatistics::mean},
-                                                      {"std", &LoadStatistics::std},
-                                                      {"max", &LoadStatistics::max},
-                                                      {"p99", &LoadStatistics::p99}}};
+constexpr std::array<NamedStatistic, 4> k_statistics{{{"mean", &output::LoadStatistics::mean},
+                                                      {"std", &output::LoadStatistics::std},
+                                                      {"max", &output::LoadStatistics::max},
+                                                      {"p99", &output::LoadStatistics::p99}}};
 
 /// The column of a statistic: contact_fx_N with mean gives contact_fx_mean_N.
 std::string statistic_column(const std::string& channel, const std::string& statistic) {
@@ -79,8 +79,8 @@ void add_time_columns(const Plan& plan, RunColumns& columns) {
   add(columns, "wall_s", [=](const RunRow& r) { return if_begun(r, r.result.wall_s); });
   add(columns, "compute_s_per_s", [](const RunRow& r) { return r.result.compute_per_second(); });
   add(columns, "ms_per_step", [](const RunRow& r) { return r.result.ms_per_step(); });
-  for (std::size_t p = 0; p < k_num_phases; ++p)
-    add(columns, std::string("ms_") + to_string(static_cast<Phase>(p)),
+  for (std::size_t p = 0; p < sim::k_num_phases; ++p)
+    add(columns, std::string("ms_") + sim::to_string(static_cast<sim::Phase>(p)),
         [p](const RunRow& r) { return r.result.summary.phase_ms[p]; });
 }
 
@@ -121,7 +121,7 @@ void add_summary_columns(const std::vector<std::string>& channels, RunColumns& c
   add(columns, "unconverged_steps", [](const RunRow& r) { return r.result.summary.unconverged_steps; });
   add(columns, "steps", [](const RunRow& r) { return r.result.summary.steps; });
   add(columns, "floes_end", [](const RunRow& r) { return r.result.summary.floes_end; });
-  for (const auto& residual : residual_columns())
+  for (const auto& residual : contact::residual_columns())
     add(columns, residual.name,
         [member = residual.member](const RunRow& r) { return r.result.summary.residuals.*member; });
   for (const auto& channel : channels)
@@ -245,4 +245,4 @@ std::string loads_csv(const SceneReport& report) {
   return csv_text(columns, rows);
 }
 
-}  // namespace nilas
+}  // namespace nilas::compare

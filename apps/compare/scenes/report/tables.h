@@ -5,7 +5,7 @@
 
 #include "apps/compare/scenes/report/scene_report.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 /// The text of compare.csv: a row per run.
 std::string runs_csv(const SceneReport& report);
@@ -16,4 +16,4 @@ std::string loads_csv(const SceneReport& report);
 /// The JSON object of compare.json.
 nlohmann::ordered_json report_json(const SceneReport& report);
 
-}  // namespace nilas
+}  // namespace nilas::compare

@@ -7,7 +7,7 @@
 
 #include "apps/compare/workshop/special_numbers.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 namespace {
 
@@ -26,7 +26,7 @@ double first_share(int jobs) {
 
 RunEnd run_end(const RunResult& result, double start) {
   RunEnd end{.wall_s = result.wall_s, .done = result.done(), .timed_out = result.status == "budget"};
-  const RunSummary& summary = result.summary;
+  const output::RunSummary& summary = result.summary;
   end.reached_s = std::isnan(summary.time_end_s) ? start : summary.time_end_s;
   if (!summary.touched.value_or(true)) return end;
   end.window_from_s = summary.window ? summary.window->from : start;  // without a vessel there is no window
@@ -177,4 +177,4 @@ RunVerdict Allotment::ended(const PlannedRun& run, const RunEnd& end) {
   return RunVerdict::too_slow;
 }
 
-}  // namespace nilas
+}  // namespace nilas::compare

@@ -11,7 +11,7 @@
 #include "apps/compare/scenes/plan/plan.h"
 #include "apps/compare/scenes/run/pace.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 /// How a run begins.
 struct RunStart {
@@ -89,4 +89,4 @@ class Allotment {
   std::set<std::size_t> slow_;                   ///< settings with a run that was too slow
 };
 
-}  // namespace nilas
+}  // namespace nilas::compare

@@ -8,9 +8,9 @@
 #include "apps/compare/scenes/run/load_series.h"
 #include "core/base/error.h"
 
-namespace nilas {
+namespace nilas::compare {
 
-void demand_reference_run(const std::filesystem::path& from, const Scene& scene) {
+void demand_reference_run(const std::filesystem::path& from, const scene::Scene& scene) {
   const std::string allowed = "; allowed: auto, or the folder of a run of this scene that is done";
   if (!std::filesystem::exists(from / "summary.json"))
     throw InputError("--reference: " + from.string() + " is no run folder, because it has no summary.json" + allowed);
@@ -51,4 +51,4 @@ void take_reference(SceneStudy& study, const SceneStore& folder, std::map<std::s
   folder.write(study);
 }
 
-}  // namespace nilas
+}  // namespace nilas::compare

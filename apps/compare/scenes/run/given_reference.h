@@ -6,13 +6,13 @@
 
 #include "apps/compare/scenes/run/scene_store.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 /// Throws InputError if the folder does not hold a whole run of the scene with the same seed and length.
-void demand_reference_run(const std::filesystem::path& from, const Scene& scene);
+void demand_reference_run(const std::filesystem::path& from, const scene::Scene& scene);
 
 /// Makes that run the reference of every realisation of the study, in the study's plan, its folder and `results`.
 /// Throws FileError.
 void take_reference(SceneStudy& study, const SceneStore& folder, std::map<std::string, RunResult>& results);
 
-}  // namespace nilas
+}  // namespace nilas::compare

@@ -7,7 +7,7 @@
 #include "core/output/file/csv_row.h"
 #include "core/output/file/output_file.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 namespace {
 
@@ -29,14 +29,14 @@ bool holds_rows(const std::filesystem::path& file) {
 void keep_load_series(const std::filesystem::path& run_folder) {
   if (!holds_rows(run_folder / "vessel.csv")) return;
   const auto read = csv_columns(run_folder / "vessel.csv", kept_columns());
-  std::string text = csv_header(kept_columns());
-  CsvRow row;
+  std::string text = output::csv_header(kept_columns());
+  output::CsvRow row;
   for (std::size_t k = 0; k < read.front().size(); ++k) {
     row.clear();
     for (const auto& column : read) row.shortest(column[k]);
     text += row.line();
   }
-  write_whole(run_folder / k_load_file, text);
+  output::write_whole(run_folder / k_load_file, text);
 }
 
 LoadSeries read_load_series(const std::filesystem::path& run_folder, double start) {
@@ -49,7 +49,7 @@ LoadSeries read_load_series(const std::filesystem::path& run_folder, double star
   return series;
 }
 
-LoadStatistics statistics_over(const LoadSeries& series, std::size_t channel, double from, double to) {
+output::LoadStatistics statistics_over(const LoadSeries& series, std::size_t channel, double from, double to) {
   std::vector<double> inside;
   double impulse = 0, length = 0, begin = series.start;
   for (std::size_t k = 0; k < series.end.size(); ++k) {
@@ -61,9 +61,9 @@ LoadStatistics statistics_over(const LoadSeries& series, std::size_t channel, do
     begin = end;
   }
   if (inside.empty()) return {k_unknown, k_unknown, k_unknown, k_unknown};
-  LoadStatistics statistics = load_statistics(inside);
+  output::LoadStatistics statistics = output::load_statistics(inside);
   statistics.mean = impulse / length;
   return statistics;
 }
 
-}  // namespace nilas
+}  // namespace nilas::compare

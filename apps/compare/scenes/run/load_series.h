@@ -8,7 +8,7 @@
 
 #include "core/output/loads/load_statistics.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 /// The channels of the ice load along the course, positive astern, and across it, positive to port.
 constexpr std::array k_course_channels{"ice_resistance_N", "ice_side_N"};
@@ -29,6 +29,6 @@ LoadSeries read_load_series(const std::filesystem::path& run_folder, double star
 /// The statistics of a channel between two times [s]. A load is taken as constant over its step, so that the mean does
 /// not depend on where the steps end. The standard deviation, the largest and the 99 % load are of the steps with their
 /// middle in the window. NaN if the run has no such step.
-LoadStatistics statistics_over(const LoadSeries& series, std::size_t channel, double from, double to);
+output::LoadStatistics statistics_over(const LoadSeries& series, std::size_t channel, double from, double to);
 
-}  // namespace nilas
+}  // namespace nilas::compare

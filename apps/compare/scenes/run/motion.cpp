@@ -6,7 +6,7 @@
 
 #include "core/base/csv.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 namespace {
 
@@ -75,4 +75,4 @@ double longest_path(const SampledMotion& motion) {
   return way;
 }
 
-}  // namespace nilas
+}  // namespace nilas::compare

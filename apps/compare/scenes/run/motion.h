@@ -7,7 +7,7 @@
 
 #include "core/base/math.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 struct SampledBody {
   Vec3 p, v, w;  ///< centre of mass [m], its velocity [m/s], angular velocity in G [rad/s]
@@ -42,4 +42,4 @@ std::vector<Distance> distances(const SampledMotion& a, const SampledMotion& b);
 /// The longest straight distance of any body from its place in the first sample [m].
 double longest_path(const SampledMotion& motion);
 
-}  // namespace nilas
+}  // namespace nilas::compare

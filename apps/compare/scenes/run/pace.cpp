@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace nilas {
+namespace nilas::compare {
 
 std::string Pace::family(const PlannedRun& run) {
   return judges(run) ? name_of(run.kind) : "setting " + std::to_string(run.setting);
@@ -58,4 +58,4 @@ double Pace::realisation_s(const Plan& plan, int jobs) const {
   return sum / std::max(1, jobs);
 }
 
-}  // namespace nilas
+}  // namespace nilas::compare

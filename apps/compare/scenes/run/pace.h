@@ -6,7 +6,7 @@
 #include "apps/compare/scenes/plan/plan.h"
 #include "apps/compare/scenes/run/run_result.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 class Pace {
  public:
@@ -42,4 +42,4 @@ class Pace {
   std::map<bool, Sum> kinds_;  ///< sums over the runs that judge others (true) and over the others
 };
 
-}  // namespace nilas
+}  // namespace nilas::compare

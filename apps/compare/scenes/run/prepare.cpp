@@ -8,13 +8,13 @@
 #include "core/base/error.h"
 #include "core/output/text/console.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 namespace {
 
 /// The input that all measurements share.
 struct Workbench {
-  const Scene& scene;
+  const scene::Scene& scene;
   const SceneStore& store;
   const SceneStudy& study;
   const std::function<bool()>& stop;
@@ -23,14 +23,14 @@ struct Workbench {
   /// The time that is left of the budget [s]; 0: there is no budget.
   double left_s() const {
     constexpr double k_least_s = 1e-3;
-    return study.budget_s > 0 ? std::max(k_least_s, study.budget_s - (steady_seconds() - started_s)) : 0;
+    return study.budget_s > 0 ? std::max(k_least_s, study.budget_s - (output::steady_seconds() - started_s)) : 0;
   }
   double at_most(double wanted_s) const { return study.budget_s > 0 ? std::min(wanted_s, left_s()) : wanted_s; }
 
   Probe probe_setting(const CompareSetting& setting, const std::string& name, double limit_s, double end,
                       int neighbours = 0) const {
     SceneRun run{study.scene, store.run_folder(name), store.run_folder(name + ".log"), study.overrides, end, 0};
-    const Overrides own = setting.overrides();
+    const scene::Overrides own = setting.overrides();
     run.overrides.insert(run.overrides.end(), own.begin(), own.end());
     return probe(run, scene.time.start, limit_s, neighbours, stop);
   }
@@ -54,7 +54,7 @@ Probe probe_first(const Workbench& bench, const CompareSetting& first, double li
   return found;
 }
 
-PlanRequest request_of(const SceneStudy& study, const Scene& scene, const PlanWishes& wishes) {
+PlanRequest request_of(const SceneStudy& study, const scene::Scene& scene, const PlanWishes& wishes) {
   PlanRequest request;
   request.stated_budget_s = study.budget_s;
   request.fixed_length = study.reference != "auto";
@@ -111,7 +111,7 @@ void rehearse(const Workbench& bench, const Narrator& narrator, PlanInput& input
 
 }  // namespace
 
-std::string prepare(const Scene& scene, const Grid& grid, const PlanWishes& wishes, const SceneStore& store,
+std::string prepare(const scene::Scene& scene, const Grid& grid, const PlanWishes& wishes, const SceneStore& store,
                     const Narrator& narrator, const std::function<bool()>& stop, SceneStudy& study) {
   const Workbench bench{scene, store, study, stop, wishes.started_s};
   const double limit_s = probe_limit(study.budget_s);
@@ -142,4 +142,4 @@ std::string prepare(const Scene& scene, const Grid& grid, const PlanWishes& wish
   return first.trouble;
 }
 
-}  // namespace nilas
+}  // namespace nilas::compare

@@ -7,7 +7,7 @@
 #include "apps/compare/scenes/run/scene_store.h"
 #include "apps/compare/workshop/narrator.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 /// The requests of the user that SceneStudy does not hold.
 struct PlanWishes {
@@ -23,7 +23,7 @@ struct PlanWishes {
 /// for the first setting and as much for the reference at two tolerances, at most 30 s each. If it is cheap, a whole
 /// run is made next to as many others as there will be. Returns why the first setting made no step, or an empty text.
 /// Throws InputError if the scene cannot run.
-std::string prepare(const Scene& scene, const Grid& grid, const PlanWishes& wishes, const SceneStore& store,
+std::string prepare(const scene::Scene& scene, const Grid& grid, const PlanWishes& wishes, const SceneStore& store,
                     const Narrator& narrator, const std::function<bool()>& stop, SceneStudy& study);
 
-}  // namespace nilas
+}  // namespace nilas::compare

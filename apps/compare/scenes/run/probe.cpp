@@ -5,7 +5,7 @@
 
 #include "apps/compare/scenes/run/allotment.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 double Probe::total_ms() const { return std::accumulate(ms.begin(), ms.end(), 0.0); }
 
@@ -79,4 +79,4 @@ std::optional<double> reference_weight(const Probe& first, const Probe& referenc
   return tight / own * reference_step / first_step;
 }
 
-}  // namespace nilas
+}  // namespace nilas::compare

@@ -6,7 +6,7 @@
 #include "apps/compare/scenes/plan/make_plan.h"
 #include "apps/compare/scenes/run/scene_run.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 struct Probe {
   std::size_t steps = 0;  ///< number of steps that it made
@@ -34,4 +34,4 @@ CostModel cost_model(const Probe& first, double start);
 std::optional<double> reference_weight(const Probe& first, const Probe& reference, double first_step,
                                        double reference_step, double start);
 
-}  // namespace nilas
+}  // namespace nilas::compare

@@ -13,7 +13,7 @@
 #include "core/base/statistics.h"
 #include "core/sim/account/step_record.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 namespace {
 
@@ -48,8 +48,8 @@ void judge_exit(const ChildResult& ended, const std::filesystem::path& log, RunR
 
 double RunResult::ms_per_step() const {
   double ms = 0;
-  for (int p = 0; p < k_num_phases; ++p)
-    if (static_cast<Phase>(p) != Phase::output) ms += summary.phase_ms[p];
+  for (int p = 0; p < sim::k_num_phases; ++p)
+    if (static_cast<sim::Phase>(p) != sim::Phase::output) ms += summary.phase_ms[p];
   // the phases are timed by the wall clock, so the time that the run waited is removed in proportion
   return cpu_s > 0 && cpu_s < wall_s ? ms * cpu_s / wall_s : ms;
 }
@@ -67,7 +67,7 @@ Json to_json(const RunResult& result) {
           {"stabilisation_J", result.stabilisation_J},
           {"penetration_mean_m", result.penetration_mean_m},
           {"first_steps_ms", result.first_steps_ms},
-          {"summary", to_json(result.summary)}};
+          {"summary", output::to_json(result.summary)}};
 }
 
 RunResult run_result_from(const Json& json) {
@@ -82,7 +82,7 @@ RunResult run_result_from(const Json& json) {
   result.stabilisation_J = number("stabilisation_J");
   result.penetration_mean_m = number("penetration_mean_m");
   result.first_steps_ms = number("first_steps_ms");
-  result.summary = run_summary_from(json.at("summary"));
+  result.summary = output::run_summary_from(json.at("summary"));
   return result;
 }
 
@@ -91,7 +91,7 @@ RunResult read_run(const std::filesystem::path& folder, const std::filesystem::p
   result.cpu_s = ended.cpu_s;
   result.wall_s = ended.wall_s;
   judge_exit(ended, log, result);
-  result.summary = read_run_summary(folder);
+  result.summary = output::read_run_summary(folder);
   if (result.done() && !result.summary.exists()) {
     result.status = "failed";
     result.cause = "the run left no summary.json";
@@ -118,9 +118,9 @@ StepTimes read_step_times(const std::filesystem::path& folder) {
   if (!std::filesystem::exists(folder / "steps.csv") || std::filesystem::file_size(folder / "steps.csv") == 0)
     return {};
   std::vector<std::string> names{"time_s", "ms_solver"};
-  for (int p = 0; p < k_num_phases; ++p)
-    if (static_cast<Phase>(p) != Phase::output && static_cast<Phase>(p) != Phase::solver)
-      names.push_back(std::string("ms_") + to_string(static_cast<Phase>(p)));
+  for (int p = 0; p < sim::k_num_phases; ++p)
+    if (static_cast<sim::Phase>(p) != sim::Phase::output && static_cast<sim::Phase>(p) != sim::Phase::solver)
+      names.push_back(std::string("ms_") + sim::to_string(static_cast<sim::Phase>(p)));
   const auto columns = csv_columns(folder / "steps.csv", names);
   StepTimes times{columns[0], columns[1], columns[1]};
   for (std::size_t c = 2; c < columns.size(); ++c)
@@ -128,4 +128,4 @@ StepTimes read_step_times(const std::filesystem::path& folder) {
   return times;
 }
 
-}  // namespace nilas
+}  // namespace nilas::compare

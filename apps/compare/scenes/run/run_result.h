@@ -8,7 +8,7 @@
 #include "apps/compare/workshop/child.h"
 #include "core/output/run/run_summary.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 struct RunResult {
   std::string status = "not run";  ///< done, failed, crashed, too slow, budget, interrupted, not run
@@ -18,7 +18,7 @@ struct RunResult {
       std::numeric_limits<double>::quiet_NaN();  ///< energy that the correction of penetration removed [J]
   double penetration_mean_m = std::numeric_limits<double>::quiet_NaN();  ///< mean penetration over the steps [m]
   double first_steps_ms = 0;  ///< time of the steps that the probe made too [ms]; 0: not measured
-  RunSummary summary;
+  output::RunSummary summary;
 
   bool done() const { return status == "done"; }
   /// Whether it failed, crashed or was too slow. A run that the budget or the user ended has not failed.
@@ -45,4 +45,4 @@ struct StepTimes {
 };
 StepTimes read_step_times(const std::filesystem::path& folder);
 
-}  // namespace nilas
+}  // namespace nilas::compare

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-namespace nilas {
+namespace nilas::compare {
 
 ChildTask task_of(const SceneRun& run) {
   ChildTask task;
@@ -15,7 +15,7 @@ ChildTask task_of(const SceneRun& run) {
                   "--quiet",
                   "--threads",
                   "1"};
-  Overrides all = run.overrides;
+  scene::Overrides all = run.overrides;
   all.insert(all.end(), {{"time/@end", fmt::format("{}", run.end)},
                          {"output/@trajectory_every", fmt::format("{}", run.sample_every)},
                          {"output/@bodies", run.sample_every > 0 ? "true" : "false"},
@@ -30,4 +30,4 @@ ChildTask task_of(const SceneRun& run) {
   return task;
 }
 
-}  // namespace nilas
+}  // namespace nilas::compare

@@ -7,7 +7,7 @@
 #include "apps/compare/workshop/json_store.h"
 #include "core/base/error.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 namespace {
 
@@ -83,4 +83,4 @@ std::map<std::string, RunResult> SceneStore::results(const Plan& plan) const {
   return all;
 }
 
-}  // namespace nilas
+}  // namespace nilas::compare

@@ -12,7 +12,7 @@
 #include "apps/compare/scenes/run/scene_study.h"
 #include "apps/compare/workshop/study_folder.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 class SceneStore {
  public:
@@ -40,4 +40,4 @@ class SceneStore {
   StudyFolder folder_;
 };
 
-}  // namespace nilas
+}  // namespace nilas::compare

@@ -7,12 +7,12 @@
 
 #include "apps/compare/scenes/plan/plan.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 struct SceneStudy {
   std::filesystem::path scene;  ///< absolute path of the scene file
   std::string fingerprint;      ///< fingerprint of the scene with the user's overrides
-  Overrides overrides;          ///< the user's overrides
+  scene::Overrides overrides;   ///< the user's overrides
   Plan plan;
   bool ablation = false;
   std::string reference = "auto";  ///< "auto" or the run folder by which errors are judged
@@ -28,4 +28,4 @@ struct SceneStudy {
   std::uint64_t seed = 0;  ///< seed of the scene with the user's overrides
 };
 
-}  // namespace nilas
+}  // namespace nilas::compare

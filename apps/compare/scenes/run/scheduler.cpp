@@ -9,7 +9,7 @@
 #include "core/base/error.h"
 #include "core/output/text/console.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 namespace {
 
@@ -37,14 +37,14 @@ class Scheduler {
   SessionEnd run() {
     std::vector<ChildTask> tasks;
     for (const auto& planned : runs_) tasks.push_back(task_of(scene_run(planned)));
-    const double pool_started = steady_seconds();
+    const double pool_started = output::steady_seconds();
     session_.runs_begun_s = elapsed();
     ChildHooks hooks;
     hooks.stop = [this] { return stop_() || !session_.file_error.empty(); };
     hooks.begin = [this](std::size_t k, ChildTask& task) { return begin(runs_[k], task); };
     hooks.ended = [this](std::size_t k, const ChildResult& ended) { end(runs_[k], ended); };
     run_children(tasks, study_.jobs, hooks);
-    session_.pool_s = steady_seconds() - pool_started;
+    session_.pool_s = output::steady_seconds() - pool_started;
     session_.results = all_results();
     session_.left_s = allotment_.pace().left_s(study_.plan, session_.results, study_.jobs);
     session_.realisation_s = allotment_.pace().realisation_s(study_.plan, study_.jobs);
@@ -52,7 +52,7 @@ class Scheduler {
   }
 
  private:
-  double elapsed() const { return steady_seconds() - started_s_; }
+  double elapsed() const { return output::steady_seconds() - started_s_; }
 
   /// The results on disk and those of this session that are not stored.
   std::map<std::string, RunResult> all_results() const {
@@ -64,7 +64,7 @@ class Scheduler {
   SceneRun scene_run(const PlannedRun& run) const {
     SceneRun out{study_.scene,     store_.run_folder(run.id), store_.run_folder(run.id + ".log"),
                  study_.overrides, study_.plan.end,           study_.plan.sample_every};
-    for (const Overrides& more :
+    for (const scene::Overrides& more :
          {study_.plan.setting_of(run).overrides(), realisation_overrides(study_.seed, run, study_.plan.vary_seed)})
       out.overrides.insert(out.overrides.end(), more.begin(), more.end());
     return out;
@@ -106,7 +106,7 @@ class Scheduler {
     if (!study_.keep_runs) thin_out(folder);
     ++ended_;
     narrator_.line(fmt::format("[{}/{}] {:<14} {:<11} {:>8}  {}", ended_, study_.plan.runs.size(), run.id,
-                               result.status, duration_text(result.wall_s), words_.label(run)));
+                               result.status, output::duration_text(result.wall_s), words_.label(run)));
     if (!result.cause.empty()) narrator_.line("    " + result.cause);
   }
 
@@ -158,7 +158,7 @@ class Scheduler {
       narrator_.sentences(
           fmt::format("The other realisations need about {}, but {} of the budget are left. Their runs are made in "
                       "order until it is used up.",
-                      duration_text(wanted), duration_text(room)));
+                      output::duration_text(wanted), output::duration_text(room)));
   }
 
   void note_file_error(const std::string& error) {
@@ -203,4 +203,4 @@ void forget_slow_runs(const SceneStudy& study, const SceneStore& store) {
     if (result.status == k_too_slow) store.forget(id);
 }
 
-}  // namespace nilas
+}  // namespace nilas::compare

@@ -9,7 +9,7 @@
 #include "apps/compare/scenes/run/scene_store.h"
 #include "apps/compare/workshop/narrator.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 /// The results of a session of runs.
 struct SessionEnd {
@@ -38,4 +38,4 @@ SessionEnd make_runs(SceneStudy& study, const SceneStore& store, std::map<std::s
 /// Removes the results of runs that an earlier session ended as too slow, so that they are made again.
 void forget_slow_runs(const SceneStudy& study, const SceneStore& store);
 
-}  // namespace nilas
+}  // namespace nilas::compare

@@ -5,7 +5,7 @@
 
 #include "apps/compare/workshop/json_store.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 namespace {
 
@@ -63,14 +63,14 @@ void visit_fields_of_study(Study& study, const Visit& visit) {
   visit("keep_runs", study.keep_runs);
 }
 
-Json overrides_json(const Overrides& overrides) {
+Json overrides_json(const scene::Overrides& overrides) {
   Json list = Json::array();
   for (const auto& [path, value] : overrides) list.push_back({path, value});
   return list;
 }
 
-Overrides overrides_from(const Json& json) {
-  Overrides overrides;
+scene::Overrides overrides_from(const Json& json) {
+  scene::Overrides overrides;
   for (const auto& pair : json) overrides.emplace_back(pair.at(0).get<std::string>(), pair.at(1).get<std::string>());
   return overrides;
 }
@@ -172,4 +172,4 @@ SceneStudy scene_study_from(const Json& json) {
   return study;
 }
 
-}  // namespace nilas
+}  // namespace nilas::compare

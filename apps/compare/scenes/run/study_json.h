@@ -5,7 +5,7 @@
 
 #include "apps/compare/scenes/run/scene_study.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 /// A list of objects with `what` and `why`.
 nlohmann::ordered_json to_json(const std::vector<Omission>& omissions);
@@ -14,4 +14,4 @@ nlohmann::ordered_json to_json(const SceneStudy& study);
 /// The study from its JSON. Throws nlohmann::json::exception if an entry is missing or of another kind.
 SceneStudy scene_study_from(const nlohmann::ordered_json& json);
 
-}  // namespace nilas
+}  // namespace nilas::compare

@@ -12,12 +12,13 @@
 namespace {
 
 using namespace nilas;
+using namespace nilas::compare;
 using namespace nilas_test;
 
 TEST(Challenges, AreValidAndNamedApart) {
   std::set<std::string> names;
   for (const auto& one : challenges()) {
-    validate(one.problem);
+    contact::validate(one.problem);
     EXPECT_TRUE(names.insert(one.name).second) << one.name;
     EXPECT_GT(one.problem.num_contacts(), 0) << one.name;
   }
@@ -43,10 +44,10 @@ TEST(ProblemExport, WritesProblemsWithCertifiedSolutions) {
   EXPECT_EQ(table.rows(), challenges().size() + 1);
   for (const auto& one : json["problems"]) {
     const std::string name = one["name"];
-    const FclibProblem stored = read_fclib(folder.path() / "out" / (name + ".hdf5"));
-    const auto& problem = std::get<ContactProblem>(stored.problem);
+    const contact::FclibProblem stored = contact::read_fclib(folder.path() / "out" / (name + ".hdf5"));
+    const auto& problem = std::get<contact::ContactProblem>(stored.problem);
     ASSERT_TRUE(stored.solution) << name;
-    const double map = measure(problem, *stored.solution).law_map_m_s;
+    const double map = contact::measure(problem, *stored.solution).law_map_m_s;
     EXPECT_DOUBLE_EQ(map, one["law_map_m_s"]) << name;
     EXPECT_TRUE(one["certified"]) << name << " " << map;
     EXPECT_LE(map, 1e-8) << name;

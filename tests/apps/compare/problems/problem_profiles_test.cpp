@@ -9,16 +9,17 @@
 #include "apps/compare/problems/problem_study_results.h"
 #include "core/base/error.h"
 
-namespace nilas {
+namespace nilas::compare {
 
 void PrintTo(const ProfilePoint& p, std::ostream* out) { *out << "(" << p.x << ", " << p.share << ")"; }
 bool operator==(const ProfilePoint& a, const ProfilePoint& b) { return a.x == b.x && a.share == b.share; }
 
-}  // namespace nilas
+}  // namespace nilas::compare
 
 namespace {
 
 using namespace nilas;
+using namespace nilas::compare;
 
 constexpr double k_never = k_unsolved;
 

@@ -17,16 +17,17 @@
 namespace {
 
 using namespace nilas;
+using namespace nilas::compare;
 using namespace nilas_test;
 
 /// Three small problems and one that sweeps do not solve.
 void write_problems(const ScratchFolder& folder) {
   const fs::path problems = folder.path() / "problems";
   fs::create_directories(problems);
-  write_fclib(problems / "particle.hdf5", test::particle(Law::coulomb, 2, 0.5, Vec3(-1, 3, 0)), nullptr);
-  write_fclib(problems / "two.hdf5", nilas::reduce(test::box_stack({1, 2}, 0.4)), nullptr);
-  write_fclib(problems / "heap.hdf5", test::random_heap(3, 8, 16, 0.4), nullptr);
-  write_fclib(problems / "heavy.hdf5", test::box_stack(test::growing_masses(8, 1e8), 0.5), nullptr);
+  contact::write_fclib(problems / "particle.hdf5", test::particle(Law::coulomb, 2, 0.5, Vec3(-1, 3, 0)), nullptr);
+  contact::write_fclib(problems / "two.hdf5", nilas::contact::reduce(test::box_stack({1, 2}, 0.4)), nullptr);
+  contact::write_fclib(problems / "heap.hdf5", test::random_heap(3, 8, 16, 0.4), nullptr);
+  contact::write_fclib(problems / "heavy.hdf5", test::box_stack(test::growing_masses(8, 1e8), 0.5), nullptr);
 }
 
 std::string study(const std::string& more) { return "compare --problems problems --jobs 2 --out out " + more; }

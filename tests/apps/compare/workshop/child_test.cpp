@@ -11,6 +11,7 @@
 namespace {
 
 using namespace nilas;
+using namespace nilas::compare;
 using nilas_test::read_text;
 using nilas_test::ScratchFolder;
 

@@ -8,6 +8,7 @@
 namespace {
 
 using namespace nilas;
+using namespace nilas::compare;
 
 TEST(CsvTable, WritesHeaderAndCellsOfEachColumnTogether) {
   struct Row {

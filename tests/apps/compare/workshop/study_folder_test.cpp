@@ -9,6 +9,7 @@
 namespace {
 
 using namespace nilas;
+using namespace nilas::compare;
 namespace fs = std::filesystem;
 
 StudyFiles files() {

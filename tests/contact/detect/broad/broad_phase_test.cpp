@@ -9,21 +9,21 @@
 #include "core/base/state.h"
 #include "tests/contact/detect/bodies_of_tests.h"
 
-namespace nilas {
+namespace nilas::detect {
 namespace {
 
 /// Floes beside and over each other, every seventh of them fixed.
-Bodies bodies_in_a_square(int count, double side) {
+bodies::Bodies bodies_in_a_square(int count, double side) {
   RandomStream random(11, "square");
-  Bodies bodies;
+  bodies::Bodies bodies;
   for (int b = 0; b < count; ++b)
     add_body(bodies, floe_shape(random_outline(random, 0.5), 0.1),
              Vec3(random.uniform(0, side), random.uniform(0, side), random.uniform(-0.1, 0.1)),
-             random_tilt(random, 0.1), b % 7 == 3 ? Motion::fixed : Motion::free);
+             random_tilt(random, 0.1), b % 7 == 3 ? bodies::Motion::fixed : bodies::Motion::free);
   return bodies;
 }
 
-std::vector<Part> parts_of(const Bodies& bodies) {
+std::vector<Part> parts_of(const bodies::Bodies& bodies) {
   std::vector<Part> parts;
   for (int b = 0; b < bodies.size(); ++b)
     for (Part& part : make_parts(bodies, b)) parts.push_back(std::move(part));
@@ -31,7 +31,7 @@ std::vector<Part> parts_of(const Bodies& bodies) {
 }
 
 /// All overlapping pairs of boxes of the tree, by comparison of every two.
-std::vector<PartPair> overlaps(const Bodies& bodies, const BroadPhase& broad, std::size_t count) {
+std::vector<PartPair> overlaps(const bodies::Bodies& bodies, const BroadPhase& broad, std::size_t count) {
   State state;
   broad.save(StateWriter(state));
   std::vector<Vec3> low, high;
@@ -47,7 +47,8 @@ std::vector<PartPair> overlaps(const Bodies& bodies, const BroadPhase& broad, st
 }
 
 /// The candidate pairs. The walk over the tree must meet each once.
-std::vector<PartPair> candidates(BroadPhase& broad, const Bodies& bodies, const std::vector<Part>& parts, int threads) {
+std::vector<PartPair> candidates(BroadPhase& broad, const bodies::Bodies& bodies, const std::vector<Part>& parts,
+                                 int threads) {
   std::vector<PartPair> pairs;
   std::vector<int> walk;
   broad.list_pairs(bodies, parts, 0.01, threads, pairs, walk);
@@ -60,7 +61,7 @@ std::vector<PartPair> candidates(BroadPhase& broad, const Bodies& bodies, const 
 
 TEST(BroadPhase, GivesAllOverlapsOfItsBoxesForAnyNumberOfThreads) {
   for (const int count : {1, 2, 40, 700}) {
-    Bodies bodies = bodies_in_a_square(count, 0.8 * std::sqrt(count));
+    bodies::Bodies bodies = bodies_in_a_square(count, 0.8 * std::sqrt(count));
     const std::vector<Part> parts = parts_of(bodies);
     BroadPhase one, two, five;
     std::size_t found = 0;
@@ -81,9 +82,9 @@ TEST(BroadPhase, GivesAllOverlapsOfItsBoxesForAnyNumberOfThreads) {
 TEST(BroadPhase, NoBodies) {
   for (const int threads : {1, 2}) {
     BroadPhase broad;
-    EXPECT_TRUE(candidates(broad, Bodies(), {}, threads).empty());
+    EXPECT_TRUE(candidates(broad, bodies::Bodies(), {}, threads).empty());
   }
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::detect

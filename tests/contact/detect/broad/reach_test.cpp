@@ -9,16 +9,16 @@
 #include "contact/detect/detector.h"
 #include "tests/contact/detect/bodies_of_tests.h"
 
-namespace nilas {
+namespace nilas::detect {
 namespace {
 
 constexpr double k_step = 0.01;
 
 /// Unit cubes in a row along x with these gaps between them.
-Bodies row_of_cubes(const std::vector<double>& gaps) {
-  Bodies bodies;
+bodies::Bodies row_of_cubes(const std::vector<double>& gaps) {
+  bodies::Bodies bodies;
   double x = 0;
-  const Shape cube = floe_shape({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, 1);
+  const geometry::Shape cube = floe_shape({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, 1);
   add_body(bodies, cube, Vec3(x, 0, 0));
   for (const double gap : gaps) add_body(bodies, cube, Vec3(x += 1 + gap, 0, 0));
   return bodies;
@@ -31,19 +31,19 @@ std::set<std::pair<int, int>> touching(const std::vector<ContactPoint>& points) 
 }
 
 TEST(Reach, OfAFreeBodyIsItsWayRelativeToTheMeanOfAll) {
-  Bodies bodies = row_of_cubes({1, 1});
+  bodies::Bodies bodies = row_of_cubes({1, 1});
   bodies.v_GB[0] = Vec3(0.6, 0, 0);
   bodies.w_GB[1] = Vec3(0, 0, 2);
-  const auto reach = own_reach(bodies, Wrenches(3), k_step, 1.5);
+  const auto reach = own_reach(bodies, bodies::Wrenches(3), k_step, 1.5);
   EXPECT_NEAR(reach[0], 1.5 * k_step * 0.4, 1e-15);
   EXPECT_NEAR(reach[1], 1.5 * k_step * (0.2 + 2 * bodies.shape[1]->bounding_radius), 1e-15);
   EXPECT_NEAR(reach[2], 1.5 * k_step * 0.2, 1e-15);
 }
 
 TEST(Reach, LoadsOfFreeBodiesCountAndFixedOnesReachNothing) {
-  Bodies bodies = row_of_cubes({1});
-  add_body(bodies, *bodies.shape[0], Vec3(9, 0, 0), Quat::Identity(), Motion::fixed);
-  Wrenches loads(3);
+  bodies::Bodies bodies = row_of_cubes({1});
+  add_body(bodies, *bodies.shape[0], Vec3(9, 0, 0), Quat::Identity(), bodies::Motion::fixed);
+  bodies::Wrenches loads(3);
   loads[0].force = Vec3(0, 0, 5);
   loads[1].torque = Vec3(0, 0, 7);
   const auto reach = own_reach(bodies, loads, k_step, 1.5);
@@ -54,7 +54,7 @@ TEST(Reach, LoadsOfFreeBodiesCountAndFixedOnesReachNothing) {
 }
 
 TEST(Reach, IsHandedAlongAChainWithTheCommonSpeedLessTheGaps) {
-  const Bodies bodies = row_of_cubes({1e-3, 1e-3, 1e-3});
+  const bodies::Bodies bodies = row_of_cubes({1e-3, 1e-3, 1e-3});
   // 8 mm by itself; then (8 - 1)/2 = 3.5 mm and (3.5 - 1)/2 = 1.25 mm, so the third gap still closes
   ContactDetector detector;
   EXPECT_EQ(touching(detector.detect(bodies, {8e-3, 0, 0, 0})).size(), 3u);
@@ -64,7 +64,7 @@ TEST(Reach, IsHandedAlongAChainWithTheCommonSpeedLessTheGaps) {
 
 TEST(Reach, MarginsOfPairsLoseNoPairAndNoGap) {
   RandomStream random(5, "reach");
-  Bodies bodies;
+  bodies::Bodies bodies;
   for (int k = 0; k < 60; ++k)
     add_body(bodies, floe_shape(random_outline(random, 0.5), 0.1),
              Vec3(random.uniform(0, 7), random.uniform(0, 7), random.uniform(-0.02, 0.02)), random_tilt(random, 0.02));
@@ -89,4 +89,4 @@ TEST(Reach, MarginsOfPairsLoseNoPairAndNoGap) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::detect

@@ -7,17 +7,17 @@
 
 #include "tests/contact/detect/bodies_of_tests.h"
 
-namespace nilas {
+namespace nilas::detect {
 namespace {
 
 /// A box with its top at z = 0 and a body `gap` above it. All sizes are multiplied by `scale`, far from the origin.
 struct Stack {
-  Bodies bodies;
+  bodies::Bodies bodies;
   std::vector<Part> parts;
 
-  Stack(const Shape& upper, double reach, double scale, double gap) {
+  Stack(const geometry::Shape& upper, double reach, double scale, double gap) {
     const Vec3 origin(1e3, -2e3, 5e2);
-    add_body(bodies, box_shape(scale * Vec3(3, 3, 1)), origin - Vec3(0, 0, 0.5 * scale));
+    add_body(bodies, geometry::box_shape(scale * Vec3(3, 3, 1)), origin - Vec3(0, 0, 0.5 * scale));
     add_body(bodies, upper, origin + Vec3(0.1 * scale, 0.2 * scale, reach + gap));
     for (int b : {0, 1})
       for (Part& part : make_parts(bodies, b)) parts.push_back(std::move(part));
@@ -29,7 +29,8 @@ TEST(FclQuery, FindsTheDirectionAtAnyScaleApartAndOverlapping) {
   for (double scale : {1e-4, 1e-2, 1.0, 1e3})
     for (double gap : {0.01 * scale, -0.01 * scale})
       for (const bool cylinder : {false, true}) {
-        const Shape upper = cylinder ? cylinder_shape(0.5 * scale, scale) : box_shape(scale * Vec3(1, 1, 1));
+        const geometry::Shape upper =
+            cylinder ? geometry::cylinder_shape(0.5 * scale, scale) : geometry::box_shape(scale * Vec3(1, 1, 1));
         const Stack stack(upper, 0.5 * scale, scale, gap);
         FclShapes fcl;
         const auto direction = fcl.direction(stack.pair(), gap > 0);
@@ -39,7 +40,7 @@ TEST(FclQuery, FindsTheDirectionAtAnyScaleApartAndOverlapping) {
 }
 
 TEST(FclQuery, AWrongGuessOfOverlapIsPutRight) {
-  const Stack stack(box_shape({1, 1, 1}), 0.5, 1, 0.01);
+  const Stack stack(geometry::box_shape({1, 1, 1}), 0.5, 1, 0.01);
   FclShapes fcl;
   const auto direction = fcl.direction(stack.pair(), false);
   ASSERT_TRUE(direction);
@@ -47,4 +48,4 @@ TEST(FclQuery, AWrongGuessOfOverlapIsPutRight) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::detect

@@ -7,17 +7,17 @@
 
 #include "tests/contact/detect/bodies_of_tests.h"
 
-namespace nilas {
+namespace nilas::detect {
 namespace {
 
 struct TwoBoxes {
-  Bodies bodies;
+  bodies::Bodies bodies;
   std::vector<Part> parts;
   std::vector<Axis> room;
 
   TwoBoxes() {
-    add_body(bodies, box_shape({1, 1, 1}), {0, 0, 0});
-    add_body(bodies, box_shape({1, 1, 1}), {0.2, 0.1, 1});
+    add_body(bodies, geometry::box_shape({1, 1, 1}), {0, 0, 0});
+    add_body(bodies, geometry::box_shape({1, 1, 1}), {0.2, 0.1, 1});
     for (int b : {0, 1})
       for (Part& part : make_parts(bodies, b)) parts.push_back(std::move(part));
   }
@@ -78,4 +78,4 @@ TEST(AxisContest, TellsUpFromDown) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::detect

@@ -8,12 +8,12 @@
 #include "tests/contact/detect/bodies_of_tests.h"
 #include "tests/support/mirrored.h"
 
-namespace nilas {
+namespace nilas::detect {
 namespace {
 
 constexpr double k_exact = 1e-14;  // Rounding of coordinates of about 1 m [m].
 
-std::vector<ContactPoint> contacts(const Bodies& bodies, double margin) {
+std::vector<ContactPoint> contacts(const bodies::Bodies& bodies, double margin) {
   return ContactDetector().detect(bodies, margin);
 }
 
@@ -28,9 +28,9 @@ std::set<std::uint64_t> keys(const std::vector<ContactPoint>& points) {
 }
 
 TEST(Manifold, StackTouchesAtTheCornersOfTheCommonRectangle) {
-  Bodies bodies;
-  add_body(bodies, box_shape({3, 1, 0.5}), {0, 0, 0});
-  add_body(bodies, box_shape({1, 2, 0.25}), {0.4, 0, 0.5 * 0.75 - 1e-3});
+  bodies::Bodies bodies;
+  add_body(bodies, geometry::box_shape({3, 1, 0.5}), {0, 0, 0});
+  add_body(bodies, geometry::box_shape({1, 2, 0.25}), {0.4, 0, 0.5 * 0.75 - 1e-3});
   const auto points = contacts(bodies, 1e-3);
   ASSERT_EQ(points.size(), 4u);
   for (const ContactPoint& c : points) {
@@ -42,9 +42,9 @@ TEST(Manifold, StackTouchesAtTheCornersOfTheCommonRectangle) {
 }
 
 TEST(Manifold, SideBySideTouchesAtTheCornersOfTheCommonSide) {
-  Bodies bodies;
-  add_body(bodies, box_shape({1, 1, 0.2}), {0, 0, 0});
-  add_body(bodies, box_shape({1, 1, 0.2}), {1.002, 0.3, 0.05});
+  bodies::Bodies bodies;
+  add_body(bodies, geometry::box_shape({1, 1, 0.2}), {0, 0, 0});
+  add_body(bodies, geometry::box_shape({1, 1, 0.2}), {1.002, 0.3, 0.05});
   const auto points = contacts(bodies, 0.01);
   ASSERT_EQ(points.size(), 4u);
   for (double y : {-0.2, 0.5})
@@ -54,9 +54,9 @@ TEST(Manifold, SideBySideTouchesAtTheCornersOfTheCommonSide) {
 
 TEST(Manifold, TiltedFloeHasItsLocalGaps) {
   const double tilt = 0.01;
-  Bodies bodies;
-  add_body(bodies, box_shape({4, 4, 0.2}), {0, 0, -0.1}, Quat::Identity(), Motion::fixed);
-  add_body(bodies, box_shape({1, 1, 0.2}), {0, 0, 0.5 * std::sin(tilt) + 0.1 * std::cos(tilt)},
+  bodies::Bodies bodies;
+  add_body(bodies, geometry::box_shape({4, 4, 0.2}), {0, 0, -0.1}, Quat::Identity(), bodies::Motion::fixed);
+  add_body(bodies, geometry::box_shape({1, 1, 0.2}), {0, 0, 0.5 * std::sin(tilt) + 0.1 * std::cos(tilt)},
            Quat(Eigen::AngleAxisd(tilt, Vec3::UnitY())));
   const auto points = contacts(bodies, 0.02);
   ASSERT_EQ(points.size(), 4u);
@@ -71,18 +71,18 @@ TEST(Manifold, TiltedFloeHasItsLocalGaps) {
 
 TEST(Manifold, PointsBeyondTheMarginAreLeftOut) {
   const double tilt = 0.01;
-  Bodies bodies;
-  add_body(bodies, box_shape({4, 4, 0.2}), {0, 0, -0.1}, Quat::Identity(), Motion::fixed);
-  add_body(bodies, box_shape({1, 1, 0.2}), {0, 0, 0.5 * std::sin(tilt) + 0.1 * std::cos(tilt)},
+  bodies::Bodies bodies;
+  add_body(bodies, geometry::box_shape({4, 4, 0.2}), {0, 0, -0.1}, Quat::Identity(), bodies::Motion::fixed);
+  add_body(bodies, geometry::box_shape({1, 1, 0.2}), {0, 0, 0.5 * std::sin(tilt) + 0.1 * std::cos(tilt)},
            Quat(Eigen::AngleAxisd(tilt, Vec3::UnitY())));
   EXPECT_EQ(contacts(bodies, 0.5 * std::sin(tilt)).size(), 2u);
 }
 
 TEST(Manifold, CrossingEdgesTouchAtOnePoint) {
-  Bodies bodies;
+  bodies::Bodies bodies;
   const double half = 0.5 * std::sqrt(2.0);
-  add_body(bodies, box_shape({1, 1, 1}), {0, 0, 0}, Quat(Eigen::AngleAxisd(k_pi / 4, Vec3::UnitX())));
-  add_body(bodies, box_shape({1, 1, 1}), {0.1, -0.2, 2 * half + 2e-3},
+  add_body(bodies, geometry::box_shape({1, 1, 1}), {0, 0, 0}, Quat(Eigen::AngleAxisd(k_pi / 4, Vec3::UnitX())));
+  add_body(bodies, geometry::box_shape({1, 1, 1}), {0.1, -0.2, 2 * half + 2e-3},
            Quat(Eigen::AngleAxisd(k_pi / 4, Vec3::UnitY())));
   for (double lift : {0.0, -4e-3}) {
     bodies.set_pose(1, Vec3(0.1, -0.2, 2 * half + 2e-3 + lift), bodies.q_GB[1]);
@@ -95,9 +95,9 @@ TEST(Manifold, CrossingEdgesTouchAtOnePoint) {
 }
 
 TEST(Manifold, CornersTouchAlongTheLineBetweenThem) {
-  Bodies bodies;
-  add_body(bodies, box_shape({1, 1, 1}), {0, 0, 0});
-  add_body(bodies, box_shape({1, 1, 1}), {1.003, 1.004, 1.012});
+  bodies::Bodies bodies;
+  add_body(bodies, geometry::box_shape({1, 1, 1}), {0, 0, 0});
+  add_body(bodies, geometry::box_shape({1, 1, 1}), {1.003, 1.004, 1.012});
   const auto points = contacts(bodies, 0.02);
   ASSERT_EQ(points.size(), 1u);
   EXPECT_NEAR(points[0].gap, 0.013, 1e-14);
@@ -106,9 +106,9 @@ TEST(Manifold, CornersTouchAlongTheLineBetweenThem) {
 }
 
 TEST(Manifold, ParallelEdgesTouchAtBothEnds) {
-  Bodies bodies;
-  add_body(bodies, box_shape({1, 1, 1}), {0, 0, 0});
-  add_body(bodies, box_shape({1, 1, 1}), {1.003, 1.004, 0.25});
+  bodies::Bodies bodies;
+  add_body(bodies, geometry::box_shape({1, 1, 1}), {0, 0, 0});
+  add_body(bodies, geometry::box_shape({1, 1, 1}), {1.003, 1.004, 0.25});
   const auto points = contacts(bodies, 0.02);
   ASSERT_EQ(points.size(), 2u);
   for (double z : {-0.25, 0.5}) EXPECT_TRUE(has_point(points, {0.5015, 0.502, z}));
@@ -116,8 +116,8 @@ TEST(Manifold, ParallelEdgesTouchAtBothEnds) {
 }
 
 TEST(Manifold, CoincidentPlatesPartThroughTheirThickness) {
-  Bodies bodies;
-  const Shape plate = floe_shape(regular_outline(6, 1), 0.01);
+  bodies::Bodies bodies;
+  const geometry::Shape plate = floe_shape(regular_outline(6, 1), 0.01);
   add_body(bodies, plate, {2, 1, 0});
   add_body(bodies, plate, {2, 1, 0});
   const auto points = contacts(bodies, 0);
@@ -129,8 +129,8 @@ TEST(Manifold, CoincidentPlatesPartThroughTheirThickness) {
 }
 
 TEST(Manifold, ManyCornersAreReducedToTheLargestQuadrilateral) {
-  Bodies bodies;
-  add_body(bodies, box_shape({4, 4, 0.2}), {0, 0, -0.1}, Quat::Identity(), Motion::fixed);
+  bodies::Bodies bodies;
+  add_body(bodies, geometry::box_shape({4, 4, 0.2}), {0, 0, -0.1}, Quat::Identity(), bodies::Motion::fixed);
   add_body(bodies, floe_shape(regular_outline(12, 1), 0.2), {0, 0, 0.1});
   const auto points = contacts(bodies, 0.01);
   ASSERT_EQ(points.size(), 4u);
@@ -143,12 +143,12 @@ TEST(Manifold, ManyCornersAreReducedToTheLargestQuadrilateral) {
 }
 
 /// The mirror image of prisms in the plane y = 0.
-Bodies mirrored_scene(const Bodies& bodies) {
-  Bodies image;
+bodies::Bodies mirrored_scene(const bodies::Bodies& bodies) {
+  bodies::Bodies image;
   for (int b = 0; b < bodies.size(); ++b) {
-    const Shape& shape = *bodies.shape[b];
-    add_body(image, prism_shape(test::mirrored(shape.outline), shape.thickness), test::mirrored(bodies.p_GB[b]),
-             test::mirrored(bodies.q_GB[b]));
+    const geometry::Shape& shape = *bodies.shape[b];
+    add_body(image, geometry::prism_shape(test::mirrored(shape.outline), shape.thickness),
+             test::mirrored(bodies.p_GB[b]), test::mirrored(bodies.q_GB[b]));
   }
   return image;
 }
@@ -170,7 +170,7 @@ TEST(Manifold, MirroredPairsHaveMirroredPoints) {
   int points_seen = 0, reduced = 0, exact = 0;
   double worst = 0;
   for (int k = 0; k < 2000; ++k) {
-    Bodies bodies;
+    bodies::Bodies bodies;
     const bool stacked = k % 3 == 0;
     const bool regular = k % 2 == 0;
     for (int b = 0; b < 2; ++b) {
@@ -199,7 +199,7 @@ TEST(Manifold, MirroredPairsHaveMirroredPoints) {
 
 TEST(Manifold, APairThatIsItsOwnImageKeepsASymmetricSet) {
   for (int corners : {5, 6, 7, 8, 9, 12}) {
-    Bodies bodies;
+    bodies::Bodies bodies;
     add_body(bodies, floe_shape(regular_outline(corners, 1), 0.2), {0, 0, 0});
     add_body(bodies, floe_shape(regular_outline(corners, 1), 0.2), {0, 0, 0.2});
     const auto points = contacts(bodies, 0.005);
@@ -212,7 +212,7 @@ TEST(Manifold, KeysAreUniqueAndLastThroughASlowDrift) {
   RandomStream random(3, "drift");
   int same = 0, total = 0;
   for (int k = 0; k < 200; ++k) {
-    Bodies bodies;
+    bodies::Bodies bodies;
     add_body(bodies, floe_shape(random_outline(random, 1), 0.2), {0, 0, 0}, random_tilt(random, 0.01));
     add_body(bodies, floe_shape(random_outline(random, 1), 0.2), {0.2, 0.1, 0.2}, random_tilt(random, 0.01));
     ContactDetector detector;
@@ -236,9 +236,9 @@ TEST(Manifold, EdgesThatAreNearlyParallelTellTheirDistance) {
   const Quat on_edge(Eigen::AngleAxisd(0.25 * k_pi, Vec3::UnitY()));
   for (const double turn : {1e-10, 1e-9, 5e-8, 9e-8, 1.1e-7, 1e-6})
     for (const double gap : {1e-8, -1e-8, -1e-7}) {
-      Bodies bodies;
-      add_body(bodies, box_shape({1, 1, 1}), Vec3::Zero(), on_edge);
-      add_body(bodies, box_shape({1, 1, 1}), {0, 0, 2 * reach + gap},
+      bodies::Bodies bodies;
+      add_body(bodies, geometry::box_shape({1, 1, 1}), Vec3::Zero(), on_edge);
+      add_body(bodies, geometry::box_shape({1, 1, 1}), {0, 0, 2 * reach + gap},
                Quat(Eigen::AngleAxisd(turn, Vec3::UnitZ())) * on_edge);
       double least = 1;
       for (const ContactPoint& c : ContactDetector().detect(bodies, 1e-3)) least = std::min(least, c.gap);
@@ -250,4 +250,4 @@ TEST(Manifold, EdgesThatAreNearlyParallelTellTheirDistance) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::detect

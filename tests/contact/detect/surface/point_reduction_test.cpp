@@ -8,7 +8,7 @@
 
 #include "core/base/math.h"
 
-namespace nilas {
+namespace nilas::detect {
 namespace {
 
 constexpr double k_tolerance = 1e-10;
@@ -138,4 +138,4 @@ TEST(PointReduction, APointInTheMiddleOfAllChangesNothing) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::detect

@@ -7,7 +7,7 @@
 
 #include "core/base/random.h"
 
-namespace nilas {
+namespace nilas::solvers {
 namespace {
 
 Mat3 random_block(RandomStream& random) {
@@ -94,4 +94,4 @@ TEST(BlockCholesky, SaysWhenTheMatrixIsNotPositiveDefiniteAndGoesOn) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::solvers

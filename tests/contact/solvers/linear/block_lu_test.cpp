@@ -4,7 +4,7 @@
 
 #include "core/base/random.h"
 
-namespace nilas {
+namespace nilas::solvers {
 namespace {
 
 /// A random matrix of 3 x 3 blocks with full diagonal, asymmetric in values and in pattern.
@@ -84,4 +84,4 @@ TEST(BlockLu, EmptyMatrix) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::solvers

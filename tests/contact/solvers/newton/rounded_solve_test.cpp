@@ -8,7 +8,7 @@
 
 #include "core/base/random.h"
 
-namespace nilas {
+namespace nilas::solvers {
 namespace {
 
 struct Rows {
@@ -117,4 +117,4 @@ TEST(RoundedSolve, OfNothingIsNothing) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::solvers

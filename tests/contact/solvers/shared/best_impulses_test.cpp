@@ -4,7 +4,7 @@
 
 #include "contact/solvers/shared/measured_loop.h"
 
-namespace nilas {
+namespace nilas::solvers {
 namespace {
 
 constexpr double k_nan = std::numeric_limits<double>::quiet_NaN();
@@ -13,7 +13,7 @@ constexpr double k_infinite = std::numeric_limits<double>::infinity();
 VecX impulse(double r) { return VecX::Constant(3, r); }
 
 TEST(Budget, StagesShareIterations) {
-  const Budget budget(SolverSettings{.max_iterations = 10});
+  const Budget budget(contact::SolverSettings{.max_iterations = 10});
   EXPECT_TRUE(budget.allows(9));
   EXPECT_FALSE(budget.allows(10));
   EXPECT_EQ(budget.after(4).iterations(), 6);
@@ -23,9 +23,9 @@ TEST(Budget, StagesShareIterations) {
 }
 
 TEST(Budget, StagesShareTheClock) {
-  EXPECT_FALSE(Budget(SolverSettings{}).is_out_of_time());
-  EXPECT_FALSE(Budget(SolverSettings{.max_seconds = 1000}).is_out_of_time());
-  const Budget spent(SolverSettings{.max_seconds = 1e-12});
+  EXPECT_FALSE(Budget(contact::SolverSettings{}).is_out_of_time());
+  EXPECT_FALSE(Budget(contact::SolverSettings{.max_seconds = 1000}).is_out_of_time());
+  const Budget spent(contact::SolverSettings{.max_seconds = 1e-12});
   EXPECT_TRUE(spent.is_out_of_time());
   EXPECT_FALSE(spent.after(1).capped(5).allows(0));
 }
@@ -42,7 +42,7 @@ TEST(StallRule, AFallToTheShareSetsTheNextMark) {
 }
 
 BestImpulses best_of_ten(int window = 100) {
-  return {1e-3, Budget(SolverSettings{.max_iterations = 10}), {window, 0.9}};
+  return {1e-3, Budget(contact::SolverSettings{.max_iterations = 10}), {window, 0.9}};
 }
 
 TEST(BestImpulses, KeepsTheLeastResidual) {
@@ -55,9 +55,9 @@ TEST(BestImpulses, KeepsTheLeastResidual) {
   EXPECT_TRUE(best.offer(impulse(3), 1));
   best.spend(4);
   EXPECT_EQ(best.left().iterations(), 6);
-  const ContactSolution solution = std::move(best).solution();
+  const contact::ContactSolution solution = std::move(best).solution();
   EXPECT_EQ(solution.r, impulse(3));
-  EXPECT_EQ(solution.status, SolveStatus::iteration_limit);
+  EXPECT_EQ(solution.status, contact::SolveStatus::iteration_limit);
   EXPECT_EQ(solution.iterations, 4);
 }
 
@@ -68,8 +68,8 @@ TEST(BestImpulses, ConvergedStays) {
   EXPECT_FALSE(best.goes_on());
   best.stall();
   best.fail("no");
-  const ContactSolution solution = std::move(best).solution();
-  EXPECT_EQ(solution.status, SolveStatus::converged);
+  const contact::ContactSolution solution = std::move(best).solution();
+  EXPECT_EQ(solution.status, contact::SolveStatus::converged);
   EXPECT_EQ(solution.message, "");
 }
 
@@ -88,8 +88,8 @@ TEST(BestImpulses, AFailureHasAReason) {
   BestImpulses best = best_of_ten();
   best.offer(impulse(1), 1);
   best.fail("singular");
-  const ContactSolution solution = std::move(best).solution();
-  EXPECT_EQ(solution.status, SolveStatus::numerical_error);
+  const contact::ContactSolution solution = std::move(best).solution();
+  EXPECT_EQ(solution.status, contact::SolveStatus::numerical_error);
   EXPECT_EQ(solution.message, "singular");
   EXPECT_EQ(solution.r, impulse(1));
 }
@@ -99,7 +99,7 @@ struct Halving {
   int measured = 0;
   double r = 1;
 
-  ContactSolution run(const SolverSettings& shared) {
+  contact::ContactSolution run(const contact::SolverSettings& shared) {
     MeasuredLoop loop(shared, Budget(shared), 100);
     const auto measure = [&] {
       ++measured;
@@ -113,16 +113,16 @@ struct Halving {
 
 TEST(MeasuredLoop, MeasuresWhereTheChangeIsSmall) {
   Halving halving;
-  const ContactSolution solution = halving.run({.tolerance = 1e-3});
-  EXPECT_EQ(solution.status, SolveStatus::converged);
+  const contact::ContactSolution solution = halving.run({.tolerance = 1e-3});
+  EXPECT_EQ(solution.status, contact::SolveStatus::converged);
   EXPECT_EQ(solution.iterations, 10);
   EXPECT_EQ(halving.measured, 1);
 }
 
 TEST(MeasuredLoop, WithToleranceZeroDoesAllWithoutMeasuring) {
   Halving halving;
-  const ContactSolution solution = halving.run({.tolerance = 0, .max_iterations = 30});
-  EXPECT_EQ(solution.status, SolveStatus::iteration_limit);
+  const contact::ContactSolution solution = halving.run({.tolerance = 0, .max_iterations = 30});
+  EXPECT_EQ(solution.status, contact::SolveStatus::iteration_limit);
   EXPECT_EQ(solution.iterations, 30);
   EXPECT_EQ(solution.r, impulse(std::ldexp(1.0, -30)));
   EXPECT_EQ(halving.measured, 0);
@@ -130,17 +130,17 @@ TEST(MeasuredLoop, WithToleranceZeroDoesAllWithoutMeasuring) {
 
 TEST(MeasuredLoop, ImpulsesBeyondAllNumbersBecomeNone) {
   for (const double tolerance : {0.0, 1e-3}) {
-    const SolverSettings shared{.tolerance = tolerance, .max_iterations = 5};
+    const contact::SolverSettings shared{.tolerance = tolerance, .max_iterations = 5};
     MeasuredLoop loop(shared, Budget(shared), 100);
     const auto measure = [] { return k_nan; };
     const auto impulses = [] { return impulse(k_infinite); };
     while (loop.goes_on(1, measure, impulses)) continue;
-    const ContactSolution solution = loop.solution(measure, impulses);
-    EXPECT_EQ(solution.status, SolveStatus::numerical_error);
+    const contact::ContactSolution solution = loop.solution(measure, impulses);
+    EXPECT_EQ(solution.status, contact::SolveStatus::numerical_error);
     EXPECT_FALSE(solution.message.empty());
     EXPECT_EQ(solution.r, impulse(0));
   }
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::solvers

@@ -7,7 +7,7 @@
 #include "contact/law/law_map.h"
 #include "tests/support/problem_factory.h"
 
-namespace nilas {
+namespace nilas::solvers {
 namespace {
 
 constexpr double k_no_cap = std::numeric_limits<double>::infinity();
@@ -42,14 +42,14 @@ TEST(LawSlopes, AreTheDerivativesOfTheValue) {
 
 TEST(LawSlopes, VanishWhereTheLawHolds) {
   // impulse, velocity: open, sticking, sliding along t1, and at the force limit
-  const ContactScale scale{0.5, 2, 1};
+  const contact::ContactScale scale{0.5, 2, 1};
   const struct {
     Vec3 r, u;
   } states[] = {
       {{0, 0, 0}, {0.3, 1, -2}}, {{1, 0.2, 0.1}, {0, 0, 0}}, {{1, -0.5, 0}, {0, 3, 0}}, {{2, 0.1, 0}, {-1, 0, 0}}};
   for (const auto& state : states)
     for (const Law law : {Law::coulomb, Law::pyramid, Law::pyramid_k}) {
-      EXPECT_LT(law_map(law, k_facets, scale, state.r, state.u), 1e-15);
+      EXPECT_LT(contact::law_map(law, k_facets, scale, state.r, state.u), 1e-15);
       EXPECT_LT(value(law, scale.mu, scale.force_limit, state.r, state.u).norm(), 1e-15) << static_cast<int>(law);
     }
 }
@@ -68,4 +68,4 @@ TEST(LawSlopes, OpenMeansThatVelocityDoesNotMatter) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::solvers

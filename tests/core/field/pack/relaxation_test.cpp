@@ -11,7 +11,7 @@
 #include "core/field/pack/place_floes.h"
 #include "core/geometry/mass_properties.h"
 
-namespace nilas {
+namespace nilas::field {
 namespace {
 
 LooseFloe box(double x0, double y0, double x1, double y1) {
@@ -78,7 +78,7 @@ TEST(Fitting, OverlapBecomesAGapAndAreasStay) {
   const auto outlines = placed_outlines(floes);
   EXPECT_NEAR(best_axis(outlines[0], outlines[1]).gap, 0.01, 1e-3);
   for (const auto& outline : outlines) {
-    EXPECT_NEAR(polygon_moments(outline.corners).area, 4, 1e-9);
+    EXPECT_NEAR(geometry::polygon_moments(outline.corners).area, 4, 1e-9);
     EXPECT_GE(outline.corners.size(), 5u);
     EXPECT_LE(outline.corners.size(), 7u);
   }
@@ -106,4 +106,4 @@ TEST(NearPairs, FindsWhatAllPairsFind) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::field

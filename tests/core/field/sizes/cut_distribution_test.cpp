@@ -10,7 +10,7 @@
 #include "core/base/math.h"
 #include "core/field/sizes/distribution_statistics.h"
 
-namespace nilas {
+namespace nilas::field {
 namespace {
 
 constexpr double k_infinite = std::numeric_limits<double>::infinity();
@@ -93,4 +93,4 @@ TEST(CutDistribution, WrongNumbersAreRefused) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::field

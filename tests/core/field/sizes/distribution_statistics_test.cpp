@@ -7,7 +7,7 @@
 
 #include "core/base/random.h"
 
-namespace nilas {
+namespace nilas::field {
 namespace {
 
 TEST(DistributionStatistics, SummaryOfASample) {
@@ -74,4 +74,4 @@ TEST(DistributionStatistics, CorrelationOfScoresIsThatOfTheCopula) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::field

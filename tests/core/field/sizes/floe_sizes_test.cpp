@@ -6,7 +6,7 @@
 
 #include "core/field/sizes/distribution_statistics.h"
 
-namespace nilas {
+namespace nilas::field {
 namespace {
 
 PackedSpec spec_of(SizeDistribution distribution) {
@@ -45,4 +45,4 @@ TEST(FloeSizes, TheQuantilesHaveTheMoments) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::field

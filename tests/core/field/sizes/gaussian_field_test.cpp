@@ -9,7 +9,7 @@
 
 #include "core/field/sizes/distribution_statistics.h"
 
-namespace nilas {
+namespace nilas::field {
 namespace {
 
 constexpr double k_length = 0.7;
@@ -76,4 +76,4 @@ TEST(GaussianField, SameStreamSameBits) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::field

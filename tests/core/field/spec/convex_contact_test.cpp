@@ -5,7 +5,7 @@
 #include "core/base/random.h"
 #include "core/geometry/polygon.h"
 
-namespace nilas {
+namespace nilas::field {
 namespace {
 
 ConvexOutline box(double x0, double y0, double x1, double y1) {
@@ -61,7 +61,7 @@ TEST(ConvexContact, FollowingTheDeepestCornerFindsWhatASearchFinds) {
     const Vec2 place(random.uniform(-3, 3), random.uniform(-3, 3));
     const auto b = polygon(place, corners(), random.uniform(0.2, 2), random.uniform(0, 6));
     const auto axis = best_axis(a, b);
-    EXPECT_NEAR(-axis.gap, convex_overlap(a.corners, b.corners), 1e-12);
+    EXPECT_NEAR(-axis.gap, geometry::convex_overlap(a.corners, b.corners), 1e-12);
     EXPECT_NEAR(gap_on_axis(a, b, axis.edge, axis.of_first), axis.gap, 1e-15);
     const auto touching = touching_points(a, b, axis, 10);
     ASSERT_GE(touching.count, 1);
@@ -76,4 +76,4 @@ TEST(ConvexContact, FollowingTheDeepestCornerFindsWhatASearchFinds) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::field

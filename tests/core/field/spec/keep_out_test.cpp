@@ -5,7 +5,7 @@
 #include "core/geometry/mass_properties.h"
 #include "core/geometry/polygon.h"
 
-namespace nilas {
+namespace nilas::field {
 namespace {
 
 std::vector<Vec2> box(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}; }
@@ -13,13 +13,13 @@ std::vector<Vec2> box(double x0, double y0, double x1, double y1) { return {{x0,
 /// Area of a convex outline grown by m: A + P m + pi m^2; the many-sided corners add a little.
 TEST(KeepOut, GrownOutlineHoldsTheRoundOne) {
   const auto grown = grown_outline(box(0, 0, 3, 1), 0.5);
-  const double area = polygon_moments(grown).area, round = 3 + 8 * 0.5 + k_pi * 0.25;
-  EXPECT_TRUE(is_convex(grown));
+  const double area = geometry::polygon_moments(grown).area, round = 3 + 8 * 0.5 + k_pi * 0.25;
+  EXPECT_TRUE(geometry::is_convex(grown));
   EXPECT_GE(area, round);
   EXPECT_LE(area, round * 1.002);
   for (int k = 0; k < 360; ++k) {
     const Vec2 ray(std::cos(k * k_deg), std::sin(k * k_deg));
-    EXPECT_TRUE(contains(grown, Vec2(3, 1) + 0.4999 * ray));
+    EXPECT_TRUE(geometry::contains(grown, Vec2(3, 1) + 0.4999 * ray));
   }
 }
 
@@ -32,9 +32,9 @@ TEST(KeepOut, FreeAreaCountsOverlapsOnceAndOnlyTheRegion) {
 
 TEST(KeepOut, CutKeepsOneSide) {
   const auto half = cut_outline(box(0, 0, 2, 1), {1, 0}, 0.5);
-  EXPECT_NEAR(polygon_moments(half).area, 0.5, 1e-15);
+  EXPECT_NEAR(geometry::polygon_moments(half).area, 0.5, 1e-15);
   EXPECT_TRUE(cut_outline(box(0, 0, 2, 1), {1, 0}, -1).empty());
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::field

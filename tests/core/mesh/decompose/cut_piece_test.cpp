@@ -7,15 +7,15 @@
 #include "core/mesh/mend/mend.h"
 #include "tests/core/mesh/hull_shapes.h"
 
-namespace nilas {
+namespace nilas::mesh {
 namespace {
 
 /// Volumes of the pieces, each a sound solid, the least first.
-std::vector<double> volumes(const TriangleMesh& mesh, const HalfSpace& plane) {
+std::vector<double> volumes(const geometry::TriangleMesh& mesh, const HalfSpace& plane) {
   std::vector<double> found;
   for (const auto& piece : cut(mesh, plane)) {
-    EXPECT_TRUE(find_defects(piece).sound()) << find_defects(piece).text();
-    found.push_back(signed_volume(piece));
+    EXPECT_TRUE(geometry::find_defects(piece).sound()) << geometry::find_defects(piece).text();
+    found.push_back(geometry::signed_volume(piece));
   }
   std::sort(found.begin(), found.end());
   return found;
@@ -27,7 +27,7 @@ void expect_near(const std::vector<double>& found, const std::vector<double>& ex
 }
 
 TEST(CutPiece, ABoxAlongAndAcrossAndAside) {
-  const TriangleMesh box = box_mesh({0, 0, 0}, {4, 1, 1});
+  const geometry::TriangleMesh box = box_mesh({0, 0, 0}, {4, 1, 1});
   expect_near(volumes(box, {Vec3::UnitX(), 1}), {1, 3}, 1e-12);
   expect_near(volumes(box, {Vec3(1, 0, 1).normalized(), 2.5 / std::sqrt(2.0)}), {2, 2}, 1e-12);
   EXPECT_TRUE(cut(box, {Vec3::UnitX(), 5}).empty());
@@ -35,7 +35,7 @@ TEST(CutPiece, ABoxAlongAndAcrossAndAside) {
 }
 
 TEST(CutPiece, CapsHaveHolesAndSidesFallApart) {
-  const TriangleMesh barge = moonpool_mesh();  // its well from x = 1.5 to 2.5
+  const geometry::TriangleMesh barge = moonpool_mesh();  // its well from x = 1.5 to 2.5
   expect_near(volumes(barge, {Vec3::UnitZ(), 0.2}), {k_moonpool_volume / 3, 2 * k_moonpool_volume / 3}, 1e-12);
   expect_near(volumes(barge, {Vec3::UnitY(), 0}), {k_moonpool_volume / 2, k_moonpool_volume / 2}, 1e-12);
   // through the well, and through its wall: on one side two arms and a block
@@ -51,7 +51,7 @@ TEST(CutPiece, FacesInThePlaneMakeNeitherSliversNorMembranes) {
   std::mt19937 random(7);
   // The cases are the solid as drawn, and with every coordinate moved by the rounding of float32.
   for (const double moved : {0.0, 1.2e-7}) {
-    TriangleMesh mesh = platform.mesh;
+    geometry::TriangleMesh mesh = platform.mesh;
     std::uniform_real_distribution<double> off(-moved, moved);
     for (auto& p : mesh.vertices)
       if (moved > 0) p += Vec3(off(random), off(random), off(random));
@@ -63,7 +63,8 @@ TEST(CutPiece, FacesInThePlaneMakeNeitherSliversNorMembranes) {
 }
 
 TEST(CutPiece, FineAndCurvedSolidsKeepTheirVolume) {
-  const TriangleMesh ship = rounded_to_float(ship_mesh(60, 20)), bulb = bulb_mesh({0, 0, 0}, {2, 0.5, 0.3}, 20);
+  const geometry::TriangleMesh ship = geometry::rounded_to_float(ship_mesh(60, 20)),
+                               bulb = bulb_mesh({0, 0, 0}, {2, 0.5, 0.3}, 20);
   std::mt19937 random(11);
   std::uniform_real_distribution<double> part(-1, 1);
   for (const auto& mesh : {ship, bulb})
@@ -72,9 +73,9 @@ TEST(CutPiece, FineAndCurvedSolidsKeepTheirVolume) {
       const Vec3& through = mesh.vertices[random() % mesh.vertices.size()];
       double sum = 0;
       for (const double volume : volumes(mesh, {normal, normal.dot(through)})) sum += volume;
-      EXPECT_NEAR(sum, signed_volume(mesh), 1e-6 * signed_volume(mesh)) << n;
+      EXPECT_NEAR(sum, geometry::signed_volume(mesh), 1e-6 * geometry::signed_volume(mesh)) << n;
     }
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::mesh

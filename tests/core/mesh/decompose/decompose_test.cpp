@@ -11,34 +11,34 @@
 #include "tests/core/mesh/hull_shapes.h"
 #include "tests/support/scratch_folder.h"
 
-namespace nilas {
+namespace nilas::mesh {
 namespace {
 
 /// A hull folder accepts the pieces: each is convex within the tolerance of read_hull().
-void expect_readable(const TriangleMesh& mesh, const ConvexParts& parts) {
+void expect_readable(const geometry::TriangleMesh& mesh, const ConvexParts& parts) {
   const test::ScratchFolder folder;
-  write_hull({mesh, parts.parts}, folder.path(), "{}");
-  EXPECT_EQ(read_hull(folder.path()).parts.size(), parts.parts.size());
+  hull::write_hull({mesh, parts.parts}, folder.path(), "{}");
+  EXPECT_EQ(hull::read_hull(folder.path()).parts.size(), parts.parts.size());
 }
 
-std::set<std::array<double, 3>> points_of(const TriangleMesh& mesh, double side) {
+std::set<std::array<double, 3>> points_of(const geometry::TriangleMesh& mesh, double side) {
   std::set<std::array<double, 3>> points;
   for (const auto& p : mesh.vertices) points.insert({p.x(), side * p.y() + 0.0, p.z()});
   return points;
 }
 
 TEST(Decompose, ConvexSolidsStayOnePart) {
-  const TriangleMesh wedge = generate_hull(hull_form("wedge", {{"triangles", 400}})).fluid;
-  for (const auto& mesh : {cone_mesh(1, 1.5, 24), rounded_to_float(wedge)}) {
+  const geometry::TriangleMesh wedge = hull::generate_hull(hull::hull_form("wedge", {{"triangles", 400}})).fluid;
+  for (const auto& mesh : {cone_mesh(1, 1.5, 24), geometry::rounded_to_float(wedge)}) {
     const ConvexParts parts = decompose(mesh, {0.005, 64, true});
     ASSERT_EQ(parts.parts.size(), 1u);
     EXPECT_LT(parts.deviation.largest, 1e-6);
-    EXPECT_NEAR(signed_volume(parts.parts[0]), signed_volume(mesh), 1e-6);
+    EXPECT_NEAR(geometry::signed_volume(parts.parts[0]), geometry::signed_volume(mesh), 1e-6);
   }
 }
 
 TEST(Decompose, AMoonPoolLeavesFourPartsWithoutDeviation) {
-  const TriangleMesh mesh = rounded_to_float(moonpool_mesh());
+  const geometry::TriangleMesh mesh = geometry::rounded_to_float(moonpool_mesh());
   const ConvexParts parts = decompose(mesh, {0.005, 64, true});
   EXPECT_EQ(parts.parts.size(), 4u);
   EXPECT_LT(parts.deviation.largest, 3 * 1e-6 * 4);        // The tolerance of coverage is three millionths of the size.
@@ -47,18 +47,18 @@ TEST(Decompose, AMoonPoolLeavesFourPartsWithoutDeviation) {
 }
 
 TEST(Decompose, TheDeviationIsThatOfPlacedFaults) {
-  const TriangleMesh box = box_mesh({0, 0, 0}, {2, 1, 1});
+  const geometry::TriangleMesh box = box_mesh({0, 0, 0}, {2, 1, 1});
   EXPECT_LT(deviation_of({box}, box, 1e-4).largest, 1e-9);
   EXPECT_NEAR(deviation_of({box_mesh({0, 0, 0}, {2, 1, 1.03})}, box, 1e-4).largest, 0.03, 1e-4);
   // a part too short, and one missing: seen from the mesh
   EXPECT_NEAR(deviation_of({box_mesh({0, 0, 0}, {1.96, 1, 1})}, box, 1e-4).largest, 0.04, 1e-4);
-  const std::vector<TriangleMesh> halves{box_mesh({0, 0, 0}, {1, 1, 1}), box_mesh({1, 0, 0}, {2, 1, 1})};
+  const std::vector<geometry::TriangleMesh> halves{box_mesh({0, 0, 0}, {1, 1, 1}), box_mesh({1, 0, 0}, {2, 1, 1})};
   EXPECT_LT(deviation_of(halves, box, 1e-4).largest, 1e-9);
   EXPECT_NEAR(deviation_of({halves[0]}, box, 1e-4).largest, 1, 1e-3);
 }
 
 TEST(Decompose, AShipWithHollowFlareHoldsItsToleranceSymmetrically) {
-  const TriangleMesh ship = rounded_to_float(ship_mesh(24, 6));
+  const geometry::TriangleMesh ship = geometry::rounded_to_float(ship_mesh(24, 6));
   const ConvexParts parts = decompose(ship, {0.02, 64, true});
   EXPECT_LE(parts.deviation.largest, 0.02 * 1.2);
   EXPECT_GT(parts.parts.size(), 1u);
@@ -74,14 +74,14 @@ TEST(Decompose, AShipWithHollowFlareHoldsItsToleranceSymmetrically) {
 }
 
 TEST(Decompose, ShellsThatLieApartAreJoinedWhereFewerPartsAreAllowed) {
-  const auto apart = [](const std::vector<TriangleMesh>& shells) {
+  const auto apart = [](const std::vector<geometry::TriangleMesh>& shells) {
     SolidBuilder b;
     for (const auto& shell : shells)
       for (const auto& c : corners_of(shell)) b.triangle(c[0], c[1], c[2]);
     return b.take();
   };
-  const TriangleMesh port = box_mesh({0, 1, 0}, {4, 2, 1}), starboard = box_mesh({0, -2, 0}, {4, -1, 1}),
-                     wide = box_mesh({0, -2.5, 0}, {4, -1, 1}), middle = box_mesh({0, -0.5, 0}, {4, 0.5, 1});
+  const geometry::TriangleMesh port = box_mesh({0, 1, 0}, {4, 2, 1}), starboard = box_mesh({0, -2, 0}, {4, -1, 1}),
+                               wide = box_mesh({0, -2.5, 0}, {4, -1, 1}), middle = box_mesh({0, -0.5, 0}, {4, 0.5, 1});
   for (const auto& [mesh, symmetric, most] :
        {std::tuple{apart({port, starboard}), true, 1u}, std::tuple{apart({port, wide}), false, 1u},
         std::tuple{apart({port, starboard, middle}), true, 2u}}) {
@@ -107,7 +107,7 @@ TEST(Decompose, TheMirroredSurfaceDecidesOnSymmetry) {
     b.quad(p[1], p[2], s[2], s[1]);
     return b.take();
   };
-  ASSERT_TRUE(find_defects(twisted(0)).sound());
+  ASSERT_TRUE(geometry::find_defects(twisted(0)).sound());
   // middles of the diagonals: 0.5 and 0.8 off the centre plane, on faces that lean
   EXPECT_GT(asymmetry(twisted(0)), 0.25);
   EXPECT_LT(asymmetry(twisted(0)), 0.31);
@@ -119,7 +119,7 @@ TEST(Decompose, TheMirroredSurfaceDecidesOnSymmetry) {
 }
 
 TEST(Decompose, FewerPartsDeviateMore) {
-  const TriangleMesh ship = rounded_to_float(ship_mesh(24, 6));
+  const geometry::TriangleMesh ship = geometry::rounded_to_float(ship_mesh(24, 6));
   const ConvexParts few = decompose(ship, {0.005, 2, true}), more = decompose(ship, {0.005, 6, true});
   EXPECT_LE(few.parts.size(), 2u);
   EXPECT_LE(more.parts.size(), 6u);
@@ -127,4 +127,4 @@ TEST(Decompose, FewerPartsDeviateMore) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::mesh

@@ -11,7 +11,7 @@
 #include "tests/core/mesh/hull_shapes.h"
 #include "tests/support/refusal.h"
 
-namespace nilas {
+namespace nilas::mesh {
 namespace {
 
 MendSettings settings(double length) { return {1e-5 * length, 0.05 * length}; }
@@ -24,39 +24,39 @@ bool did(const MendedMesh& mended, const std::string& what) {
 /// Closed, outward, of the volume.
 void expect_sound(const MendedMesh& mended, double volume, double share) {
   for (const auto& note : mended.open) ADD_FAILURE() << note.count << " " << note.what;
-  EXPECT_TRUE(find_defects(mended.mesh).sound()) << find_defects(mended.mesh).text();
-  EXPECT_NEAR(signed_volume(mended.mesh), volume, share * volume);
+  EXPECT_TRUE(geometry::find_defects(mended.mesh).sound()) << geometry::find_defects(mended.mesh).text();
+  EXPECT_NEAR(geometry::signed_volume(mended.mesh), volume, share * volume);
 }
 
 TEST(Mend, SoundMeshesStayAsTheyAre) {
   for (const auto& mesh : {cone_mesh(1, 1.5, 24), moonpool_mesh(), ship_mesh(40, 8)}) {
     const MendedMesh mended = mend(soup_of({mesh}), settings(4));
     EXPECT_TRUE(mended.done.empty());
-    expect_sound(mended, signed_volume(mesh), 1e-6);
+    expect_sound(mended, geometry::signed_volume(mesh), 1e-6);
     EXPECT_EQ(mended.mesh.triangles.size(), mesh.triangles.size());
   }
 }
 
 TEST(Mend, FlippedFacesAreTurnedAndCounted) {
-  TriangleMesh ship = ship_mesh(40, 8);
+  geometry::TriangleMesh ship = ship_mesh(40, 8);
   for (std::size_t k = 0; k < ship.triangles.size(); k += 7) std::swap(ship.triangles[k][0], ship.triangles[k][1]);
   const MendedMesh mended = mend(soup_of({ship}), settings(6));
-  expect_sound(mended, signed_volume(ship_mesh(40, 8)), 1e-6);
+  expect_sound(mended, geometry::signed_volume(ship_mesh(40, 8)), 1e-6);
   ASSERT_TRUE(did(mended, "turned to the winding"));
   EXPECT_EQ(mended.done.front().count, (ship.triangles.size() + 6) / 7);
 }
 
 TEST(Mend, AHullWoundInwardsIsTurned) {
-  TriangleMesh cone = cone_mesh(1, 1.5, 24);
+  geometry::TriangleMesh cone = cone_mesh(1, 1.5, 24);
   for (auto& t : cone.triangles) std::swap(t[0], t[1]);
   const MendedMesh mended = mend(soup_of({cone}), settings(2));
-  expect_sound(mended, signed_volume(cone_mesh(1, 1.5, 24)), 1e-6);
+  expect_sound(mended, geometry::signed_volume(cone_mesh(1, 1.5, 24)), 1e-6);
   EXPECT_TRUE(did(mended, "inwards"));
 }
 
 TEST(Mend, SmallHolesAreFilledLargeOnesRefusedWithTheirPlace) {
-  TriangleMesh ship = ship_mesh(40, 8);
-  const double volume = signed_volume(ship);
+  geometry::TriangleMesh ship = ship_mesh(40, 8);
+  const double volume = geometry::signed_volume(ship);
   const auto below_deck = [&](const auto& t) {
     return std::all_of(t.begin(), t.end(), [&](int v) { return ship.vertices[v].z() < 0.5; });
   };
@@ -65,7 +65,7 @@ TEST(Mend, SmallHolesAreFilledLargeOnesRefusedWithTheirPlace) {
   const MendedMesh mended = mend(soup_of({ship}), settings(6));
   expect_sound(mended, volume, 1e-4);
   EXPECT_TRUE(did(mended, "holes filled"));
-  TriangleMesh open = box_mesh({0, 0, 0}, {4, 1, 1});
+  geometry::TriangleMesh open = box_mesh({0, 0, 0}, {4, 1, 1});
   std::erase_if(open.triangles, [&](const auto& t) {
     return std::all_of(t.begin(), t.end(), [&](int v) { return open.vertices[v].z() == 1; });
   });
@@ -79,7 +79,7 @@ TEST(Mend, SmallHolesAreFilledLargeOnesRefusedWithTheirPlace) {
 
 TEST(Mend, TJunctionsAndCracksAreClosed) {
   // a cube whose top is cut finer than its sides, and stands a little off them
-  TriangleMesh cube = box_mesh({0, 0, 0}, {1, 1, 1});
+  geometry::TriangleMesh cube = box_mesh({0, 0, 0}, {1, 1, 1});
   std::erase_if(cube.triangles, [&](const auto& t) {
     return std::all_of(t.begin(), t.end(), [&](int v) { return cube.vertices[v].z() == 1; });
   });
@@ -107,9 +107,9 @@ TEST(Mend, TJunctionsAndCracksAreClosed) {
 }
 
 TEST(Mend, DuplicateAndNestedShellsAreDropped) {
-  const TriangleMesh ship = ship_mesh(30, 6);
+  const geometry::TriangleMesh ship = ship_mesh(30, 6);
   const MendedMesh twice = mend(soup_of({ship, ship}), settings(6));
-  expect_sound(twice, signed_volume(ship), 1e-6);
+  expect_sound(twice, geometry::signed_volume(ship), 1e-6);
   EXPECT_TRUE(did(twice, "more than once"));
   const MendedMesh lined =
       mend(soup_of({box_mesh({0, 0, 0}, {4, 1, 1}), box_mesh({1, 0.2, 0.2}, {3, 0.8, 0.8})}), settings(4));
@@ -122,9 +122,10 @@ TEST(Mend, OverlappingShellsAreUnited) {
   expect_sound(platform, semisubmersible_volume(16), 1e-6);
   EXPECT_TRUE(did(platform, "united"));
   // half of the ellipsoid stands out of the stem: the union lies between the ship and both together
-  const TriangleMesh ship = ship_mesh(40, 8), bulb = bulb_mesh({5.9, 0, 0.12}, {0.5, 0.09, 0.1}, 8);
+  const geometry::TriangleMesh ship = ship_mesh(40, 8), bulb = bulb_mesh({5.9, 0, 0.12}, {0.5, 0.09, 0.1}, 8);
   const MendedMesh both = mend(soup_of({ship, bulb}), settings(6));
-  const double low = signed_volume(ship) + 0.4 * signed_volume(bulb), high = signed_volume(ship) + signed_volume(bulb);
+  const double low = geometry::signed_volume(ship) + 0.4 * geometry::signed_volume(bulb),
+               high = geometry::signed_volume(ship) + geometry::signed_volume(bulb);
   expect_sound(both, 0.5 * (low + high), 0.5 * (high - low) / (low + high) * 2);
 }
 
@@ -132,7 +133,8 @@ TEST(Mend, OverlappingShellsAreUnited) {
 void expect_answer(const PolygonSoup& soup, const MendSettings& how) {
   try {
     const MendedMesh mended = mend(soup, how);
-    EXPECT_TRUE(!mended.open.empty() || find_defects(mended.mesh).sound()) << find_defects(mended.mesh).text();
+    EXPECT_TRUE(!mended.open.empty() || geometry::find_defects(mended.mesh).sound())
+        << geometry::find_defects(mended.mesh).text();
   } catch (const InputError& e) {
     EXPECT_EQ(std::string(e.what()).find("CGAL"), std::string::npos) << e.what();
   }
@@ -219,7 +221,7 @@ TEST(Mend, PointsThatRoundingJoinsArePartedOrNamed) {
   soup.polygons = {{4, 5, 8},    {5, 6, 8},    {6, 7, 8}, {7, 4, 8}, {0, 1, 5, 4}, {1, 2, 6, 5},
                    {2, 3, 7, 6}, {3, 0, 4, 7}, {0, 3, 9}, {3, 2, 9}, {2, 1, 9},    {1, 0, 9}};
   const MendedMesh mended = mend(soup, {1e-9, 1e-9});
-  if (mended.open.empty()) return expect_sound(mended, signed_volume(mended.mesh), 0);
+  if (mended.open.empty()) return expect_sound(mended, geometry::signed_volume(mended.mesh), 0);
   EXPECT_LT((mended.open[0].places.at(0) - Vec3(102, 100.5, 101)).norm(), 1e-4);
 }
 
@@ -297,8 +299,8 @@ TEST(Mend, DamagedShapesAreAnswered) {
 }
 
 TEST(Mend, FacesThatCrossAreCutApartOrNamed) {
-  TriangleMesh ship = ship_mesh(40, 8);
-  const double volume = signed_volume(ship);
+  geometry::TriangleMesh ship = ship_mesh(40, 8);
+  const double volume = geometry::signed_volume(ship);
   Vec3 place = Vec3::Zero();
   for (auto& p : ship.vertices)  // one corner of the side pushed through the opposite side
     if (place.isZero() && p.y() > 0.5 && p.z() > 0.2 && p.z() < 0.5) {
@@ -316,4 +318,4 @@ TEST(Mend, FacesThatCrossAreCutApartOrNamed) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::mesh

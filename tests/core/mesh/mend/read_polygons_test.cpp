@@ -10,7 +10,7 @@
 #include "tests/core/mesh/hull_shapes.h"
 #include "tests/support/scratch_folder.h"
 
-namespace nilas {
+namespace nilas::mesh {
 namespace {
 
 using test::ScratchFolder;
@@ -132,10 +132,10 @@ TEST(ReadPolygons, EveryFormatGivesTheSameSolid) {
   const ScratchFolder folder;
   for (const auto& sample : samples()) {
     const PolygonSoup soup = read_polygons(folder.write(sample.name, sample.bytes));
-    TriangleMesh mesh{soup.points, {}};
+    geometry::TriangleMesh mesh{soup.points, {}};
     for (const auto& t : soup.polygons) mesh.triangles.push_back({t.at(0), t.at(1), t.at(2)});
     EXPECT_EQ(mesh.triangles.size(), moonpool_mesh().triangles.size()) << sample.name;
-    EXPECT_NEAR(signed_volume(mesh), k_moonpool_volume, 1e-7) << sample.name;
+    EXPECT_NEAR(geometry::signed_volume(mesh), k_moonpool_volume, 1e-7) << sample.name;
   }
 }
 
@@ -259,4 +259,4 @@ TEST(ReadPolygons, ChangedAndRandomBytesNeverPassUnseen) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::mesh

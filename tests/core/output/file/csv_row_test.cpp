@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <limits>
 
-namespace nilas {
+namespace nilas::output {
 namespace {
 
 TEST(CsvRow, FixedPointHasTwelveDecimalsAndNoSignOnZero) {
@@ -49,4 +49,4 @@ TEST(CsvRow, StartsAnewAfterClear) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::output

@@ -13,7 +13,7 @@
 #include "tests/support/refusal.h"
 #include "tests/support/size_limit.h"
 
-namespace nilas {
+namespace nilas::output {
 namespace {
 
 using test::read_text;
@@ -143,4 +143,4 @@ TEST(WriteWhole, KeepsTheOldFileWhenTheNewDoesNotFit) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::output

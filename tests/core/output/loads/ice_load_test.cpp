@@ -9,27 +9,27 @@
 #include "core/output/tables/vessel_channels.h"
 #include "tests/core/output/sample_run.h"
 
-namespace nilas {
+namespace nilas::output {
 namespace {
 
 /// 200 steps of 0.01 s of a tow along Y with a ramp of 0.5 s: ice presses from 1 s on with -30 N along the course and
 /// 4 N to port, water with -5 N, and the vessel of 1500 kg gains 0.01 m/s in each step.
 /// A wall bears `others` [N] throughout. From 1.5 s on floes break, and the solver misses its tolerance, where
 /// requested.
-RunStatistics towed(RunInfo info, double others = 0, bool breaks = false) {
-  info.course = CourseKind::carriage;
+RunStatistics towed(sim::RunInfo info, double others = 0, bool breaks = false) {
+  info.course = sim::CourseKind::carriage;
   info.ramp_end = 0.5;
   info.vessel_length = 4;
   RunStatistics statistics(info);
-  statistics.start(0, Ledger{.works = {0, 0}});
+  statistics.start(0, sim::Ledger{.works = {0, 0}});
   const VesselChannels channels(info);
   std::vector<double> values;
   for (int k = 0; k < 200; ++k) {
-    StepRecord record = test::full_record();
+    sim::StepRecord record = test::full_record();
     record.t = 0.01 * (k + 1);
     record.solver_short = breaks && k >= 150;
     if (breaks && k == 150) record.broken.emplace_back();
-    VesselRecord& vessel = *record.vessel;
+    sim::VesselRecord& vessel = *record.vessel;
     vessel.course = Vec2::UnitY();
     vessel.touches_ice = k >= 100;
     vessel.ice = k >= 100 ? Vec3(-4, -30, 1) : Vec3::Zero();
@@ -73,7 +73,7 @@ TEST(IceLoad, WhatWallsAndBodiesTakeIsNoIceLoad) {
 }
 
 TEST(IceLoad, TheWindowAskedForCounts) {
-  RunInfo info = test::full_run();
+  sim::RunInfo info = test::full_run();
   info.statistics = {0.5, 1.5};
   const auto load = towed(info).ice_load(nullptr);
   EXPECT_EQ(load->window.steps(), 100u);
@@ -115,7 +115,7 @@ TEST(IceLoad, WhereTheSolverStoppedShortTheErrorIsALowerBound) {
 }
 
 TEST(IceLoad, BreaksBehindTheWindowAreNoneOfIts) {
-  RunInfo info = test::full_run();
+  sim::RunInfo info = test::full_run();
   info.statistics = {0.5, 1.5};
   const LoadError error = towed(info, 0, true).load_error(nullptr).value();
   EXPECT_FALSE(error.ice_broke);
@@ -123,9 +123,9 @@ TEST(IceLoad, BreaksBehindTheWindowAreNoneOfIts) {
 }
 
 TEST(IceLoad, SaysThatNoIceTouched) {
-  RunInfo info = test::full_run();
+  sim::RunInfo info = test::full_run();
   RunStatistics statistics(info);
-  StepRecord record = test::full_record();
+  sim::StepRecord record = test::full_record();
   record.vessel->contact = {};
   record.vessel->ice.setZero();
   std::vector<double> values;
@@ -142,12 +142,12 @@ TEST(IceLoad, ForcesHaveFourDigitsAndTheirUnit) {
 }
 
 TEST(StructureLoads, AreToldPerFixedBody) {
-  RunInfo info;
+  sim::RunInfo info;
   info.structures = {{"pier", 4}, {"pile", 4}};
   info.drift_course = Vec2(-1, 0);
   RunStatistics statistics(info);
-  statistics.start(0, Ledger{});
-  StepRecord record;
+  statistics.start(0, sim::Ledger{});
+  sim::StepRecord record;
   record.h = 0.1;
   record.structures.resize(2);
   for (int k = 0; k < 40; ++k) {
@@ -173,4 +173,4 @@ TEST(StructureLoads, AreToldPerFixedBody) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::output

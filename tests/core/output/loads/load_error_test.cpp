@@ -7,7 +7,7 @@
 #include "core/output/loads/load_error_json.h"
 #include "tests/core/output/sample_run.h"
 
-namespace nilas {
+namespace nilas::output {
 namespace {
 
 const std::vector<std::string> k_names{"contact_fx_N",   "contact_fy_N",  "contact_fz_N",    "contact_mx_Nm",
@@ -28,8 +28,8 @@ Series all_channels(const std::vector<double>& values) {
 
 LoadResiduals residuals_of(int steps, double solver, double law) {
   LoadResiduals sums;
-  StepRecord record;
-  VesselRecord& vessel = record.vessel.emplace();
+  sim::StepRecord record;
+  sim::VesselRecord& vessel = record.vessel.emplace();
   vessel.solver_residual.force.x() = solver;
   vessel.law_residual.force.x() = law;
   for (int k = 0; k < steps; ++k) sums.add(record);
@@ -94,8 +94,8 @@ TEST(LoadError, CountsTheWindowAlone) {
   record.window.first = 50;
   LoadResiduals residuals = residuals_of(50, 4, 0);
   for (int k = 0; k < 50; ++k) {
-    StepRecord step;
-    VesselRecord& vessel = step.vessel.emplace();
+    sim::StepRecord step;
+    sim::VesselRecord& vessel = step.vessel.emplace();
     vessel.course = Vec2(0.6, 0.8);
     vessel.solver_residual.force = Vec3(1, 2, 0);
     vessel.law_residual.force = Vec3(-1, 2, 0);
@@ -134,7 +134,7 @@ TEST(LoadError, WhereIceBrokeSlowChangesAreChanceToo) {
 TEST(LoadError, IsALowerBoundWhereTheSolverStoppedShortInTheWindow) {
   const Series series = all_channels(std::vector<double>(200, 7));
   LoadResiduals residuals;
-  StepRecord record;
+  sim::StepRecord record;
   record.vessel.emplace();
   for (int k = 0; k < 200; ++k) {
     record.solver_short = k < 3;
@@ -150,7 +150,7 @@ TEST(LoadError, IsALowerBoundWhereTheSolverStoppedShortInTheWindow) {
 TEST(LoadError, IsALowerBoundWhereIceBrokeAndResidualsAreLargeForTheSpeed) {
   const Series series = all_channels(std::vector<double>(100, 7));
   const auto at_least = [&](double residual, double speed, bool ice_broke) {
-    StepRecord record;
+    sim::StepRecord record;
     record.residuals.law_map_m_s = residual;
     record.vessel.emplace().carriage.emplace();
     record.vessel->state.v = Vec3(speed, 0, 0);
@@ -183,4 +183,4 @@ TEST(LoadError, NothingWithoutAVessel) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::output

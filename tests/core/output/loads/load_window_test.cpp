@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace nilas {
+namespace nilas::output {
 namespace {
 
 LoadCourse course_of_ten_seconds() {
@@ -57,4 +57,4 @@ TEST(LoadWindow, OfARunThatStoppedBeforeItIsTheWholeRun) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::output

@@ -7,7 +7,7 @@
 
 #include "core/base/random.h"
 
-namespace nilas {
+namespace nilas::output {
 namespace {
 
 /// x_k+1 = phi x_k + noise of variance 1, from its stationary state.
@@ -87,4 +87,4 @@ TEST(MeanError, OfRunsIsTheTextbooks) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::output

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace nilas {
+namespace nilas::output {
 namespace {
 
 /// An impact of 3 N s at 1 s on a load of 2 N that lasts 4 s, in steps of h.
@@ -56,4 +56,4 @@ TEST(Peak, ShareOfTheLargestPercent) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::output

@@ -11,11 +11,11 @@
 #include "core/output/run/summary_json.h"
 #include "tests/core/output/sample_run.h"
 
-namespace nilas {
+namespace nilas::output {
 namespace {
 
-RunInfo towed_with_rudder() {
-  RunInfo info = test::full_run();
+sim::RunInfo towed_with_rudder() {
+  sim::RunInfo info = test::full_run();
   info.vessel_length = 5;
   info.vessel_mass.mass = 100;
   info.parts = {{"rudder", JointKind::hinge}};
@@ -23,13 +23,13 @@ RunInfo towed_with_rudder() {
 }
 
 /// The carriage carries 100 N and 50 N m, the rudder 10 N.
-StepRecord record_at(double t, double force_apart, double torque_apart, double unbalanced = 0) {
-  StepRecord record = test::full_record();
+sim::StepRecord record_at(double t, double force_apart, double torque_apart, double unbalanced = 0) {
+  sim::StepRecord record = test::full_record();
   record.t = t;
-  VesselRecord& vessel = *record.vessel;
+  sim::VesselRecord& vessel = *record.vessel;
   vessel.carriage->about_com = {Vec3(0, 100, 0), Vec3(0, 0, -50)};
   vessel.carriage->disagreement = Wrench{Vec3(0, 0, -force_apart), Vec3(torque_apart, 0, 0)};
-  PartRecord rudder;
+  sim::PartRecord rudder;
   rudder.joint.force = Vec3(10, 0, 0);
   rudder.unbalanced_force = unbalanced;
   vessel.parts = {rudder};
@@ -83,7 +83,7 @@ TEST(ReactionBalance, TellsItWithinTheConsole) {
 /// Where nothing loads the carriage, rounding is all there is.
 TEST(ReactionBalance, LeavesRoundingAlone) {
   ReactionBalance balance(towed_with_rudder());
-  StepRecord record = record_at(1, 1e-9, 0);
+  sim::StepRecord record = record_at(1, 1e-9, 0);
   record.vessel->carriage->about_com = {Vec3(1e-9, 0, 0), Vec3::Zero()};
   balance.add(record);
   EXPECT_GT(balance.relative(balance.joints()[0]), 0.5);
@@ -92,10 +92,10 @@ TEST(ReactionBalance, LeavesRoundingAlone) {
 
 /// The carriage's load is known from one of both sources only, as in a run of the reference integrator.
 TEST(ReactionBalance, SaysNothingOfWhatIsNotKnown) {
-  RunInfo info = test::full_run();
+  sim::RunInfo info = test::full_run();
   info.parts.clear();
   ReactionBalance balance(info);
-  StepRecord record = test::full_record();
+  sim::StepRecord record = test::full_record();
   record.vessel->carriage->disagreement.reset();
   balance.add(record);
   record.vessel.reset();
@@ -114,17 +114,17 @@ TEST(ReactionBalance, GoesOnAsSaved) {
   EXPECT_EQ(reaction_lines(rest), reaction_lines(whole));
   EXPECT_EQ(rest.joints()[0].force_time, 1);
   EXPECT_EQ(rest.joints()[0].torque_time, 2);
-  RunInfo other = towed_with_rudder();
+  sim::RunInfo other = towed_with_rudder();
   other.parts.clear();
   ReactionBalance fewer(other);
   EXPECT_THROW(fewer.restore(StateReader(state)), InputError);
 }
 
 TEST(ReactionBalance, IsInTheSummary) {
-  const RunInfo info = towed_with_rudder();
+  const sim::RunInfo info = towed_with_rudder();
   RunStatistics statistics(info);
-  statistics.start(0, Ledger{.works = {0, 0}});
-  const StepRecord record = record_at(0.01, 1e-6, 2e-5, 1e-7);
+  statistics.start(0, sim::Ledger{.works = {0, 0}});
+  const sim::StepRecord record = record_at(0.01, 1e-6, 2e-5, 1e-7);
   statistics.add(record, std::vector<double>(53, 0.0));
   const auto summary = summary_json(info, statistics, {});
   EXPECT_EQ(summary["carriage_balance"]["force_N"], 1e-6);
@@ -135,4 +135,4 @@ TEST(ReactionBalance, IsInTheSummary) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::output

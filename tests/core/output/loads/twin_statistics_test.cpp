@@ -6,24 +6,24 @@
 
 #include "tests/core/output/sample_run.h"
 
-namespace nilas {
+namespace nilas::output {
 namespace {
 
 /// The sample's one free body has a bounding radius of 0: give it one.
-Bodies one_metre_across() {
-  Bodies bodies = test::sample_bodies();
-  Shape shape = test::triangle_floe();
+bodies::Bodies one_metre_across() {
+  bodies::Bodies bodies = test::sample_bodies();
+  geometry::Shape shape = test::triangle_floe();
   shape.bounding_radius = 0.5;
-  bodies.shape[0] = std::make_shared<const Shape>(shape);
+  bodies.shape[0] = std::make_shared<const geometry::Shape>(shape);
   return bodies;
 }
 
 TEST(TwinHorizon, IsWhereAnExponentialPassesTheThreshold) {
-  const Bodies itself = one_metre_across();
+  const bodies::Bodies itself = one_metre_across();
   TwinHorizon horizon(itself);
   EXPECT_DOUBLE_EQ(horizon.threshold(), 1e-4);
   for (int k = 1; k <= 1000; ++k) {
-    Bodies twin = itself;
+    bodies::Bodies twin = itself;
     const double t = 0.01 * k;
     twin.p_GB[0].y() += 1e-12 * std::exp(t / 0.2);
     horizon.compare(t, {&itself, &twin});
@@ -33,8 +33,8 @@ TEST(TwinHorizon, IsWhereAnExponentialPassesTheThreshold) {
 }
 
 TEST(TwinHorizon, NeverReachedWhereTwinsStayTogether) {
-  const Bodies itself = one_metre_across();
-  Bodies twin = itself;
+  const bodies::Bodies itself = one_metre_across();
+  bodies::Bodies twin = itself;
   twin.p_GB[0].x() += 1e-12;
   TwinHorizon horizon(itself);
   for (int k = 1; k <= 100; ++k) horizon.compare(0.01 * k, {&itself, &twin});
@@ -43,8 +43,8 @@ TEST(TwinHorizon, NeverReachedWhereTwinsStayTogether) {
 }
 
 TEST(TwinHorizon, EndsWhereTheBodiesAreNotTheSameAnyMore) {
-  const Bodies itself = one_metre_across();
-  Bodies twin = itself;
+  const bodies::Bodies itself = one_metre_across();
+  bodies::Bodies twin = itself;
   TwinHorizon horizon(itself);
   horizon.compare(0.01, {&itself, &twin});
   twin.id[0] = 77;
@@ -54,4 +54,4 @@ TEST(TwinHorizon, EndsWhereTheBodiesAreNotTheSameAnyMore) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::output

@@ -10,7 +10,7 @@
 #include "tests/support/file_text.h"
 #include "tests/support/refusal.h"
 
-namespace nilas {
+namespace nilas::output {
 namespace {
 
 namespace fs = std::filesystem;
@@ -33,7 +33,7 @@ class SampleRun {
   }
   void begin() {
     folder.open(scene, info, warnings);
-    folder.start(0, Ledger{.works = {0, 0}}, bodies);
+    folder.start(0, sim::Ledger{.works = {0, 0}}, bodies);
   }
   void steps(int count) {
     for (int k = 0; k < count; ++k) {
@@ -46,11 +46,11 @@ class SampleRun {
   std::ostringstream log;
   WarningCounts warnings{
       std::make_shared<spdlog::logger>("test", std::make_shared<spdlog::sinks::ostream_sink_mt>(log))};
-  RunInfo info = full_run();
-  Scene scene;
-  Bodies bodies = sample_bodies();
-  StepRecord record = full_record();
-  SolvedProblem solved;
+  sim::RunInfo info = full_run();
+  scene::Scene scene;
+  bodies::Bodies bodies = sample_bodies();
+  sim::StepRecord record = full_record();
+  contact::SolvedProblem solved;
   RunFolder folder;
   long done = 0;
 };
@@ -91,7 +91,8 @@ TEST(RunFolder, WritesBodiesByCountOrByWish) {
     SampleRun run(scratch / "run");
     run.scene.output.bodies = wish;
     while (run.bodies.size() < count)
-      test::add_body(run.bodies, "floe", BodyKind::floe, Motion::free, test::triangle_floe(), 1, Vec3::Zero());
+      test::add_body(run.bodies, "floe", bodies::BodyKind::floe, bodies::Motion::free, test::triangle_floe(), 1,
+                     Vec3::Zero());
     run.info.bodies = run.bodies.size();
     run.begin();
     return fs::exists(run.folder.path() / "bodies.csv");
@@ -183,7 +184,7 @@ TEST(RunFolder, SummaryTellsTheRun) {
   EXPECT_DOUBLE_EQ(read.load("contact_fx_N")->p99, 2.98);
   EXPECT_EQ(read.residuals.law_map_m_s, 1e-7);
   EXPECT_EQ(read.penetration_max_m, 0.002);
-  EXPECT_EQ(read.phase_ms[static_cast<std::size_t>(Phase::solver)], 4);
+  EXPECT_EQ(read.phase_ms[static_cast<std::size_t>(sim::Phase::solver)], 4);
   EXPECT_TRUE(read.window);
   EXPECT_EQ(summary["versions"]["eigen"], "3.4.0");
   EXPECT_EQ(summary["seed"], 7);
@@ -194,7 +195,7 @@ TEST(RunFolder, SummaryTellsTheRun) {
 /// Goes on in a folder that holds more than the checkpoint: half a row, frames of later steps.
 TEST(RunFolder, GoesOnFromItsCheckpoint) {
   const ScratchFolder scratch;
-  const CheckpointOrigin origin{"test", "build", "sample"};
+  const sim::CheckpointOrigin origin{"test", "build", "sample"};
   const auto begin = [&](SampleRun& run) {
     run.begin();
     run.steps(25);
@@ -213,7 +214,7 @@ TEST(RunFolder, GoesOnFromItsCheckpoint) {
 
   SampleRun rest(scratch / "elsewhere");
   RunFolder folder(scratch / "cut", RunLock(scratch / "cut"));
-  const State state = read_checkpoint(folder.checkpoint_file(), origin);
+  const State state = sim::read_checkpoint(folder.checkpoint_file(), origin);
   folder.resume(rest.scene, rest.info, rest.warnings, StateReader(state).group("outputs"));
   EXPECT_EQ(lines_of(scratch / "cut/steps.csv").size(), 1u + 25);
   EXPECT_EQ(lines_of(scratch / "cut/bodies.csv").size(), 1u + 4 * 3);
@@ -315,4 +316,4 @@ TEST(RunFolder, AFullDiskEndsTheRunWithTheFileNamed) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::output

@@ -12,7 +12,7 @@
 #include "tests/support/refusal.h"
 #include "tests/support/size_limit.h"
 
-namespace nilas {
+namespace nilas::output {
 namespace {
 
 namespace fs = std::filesystem;
@@ -21,11 +21,11 @@ using test::ScratchFolder;
 
 class RunInputs : public ::testing::Test {
  protected:
-  InputFile input(const std::string& source, const std::string& copy, const std::string& text) const {
+  scene::InputFile input(const std::string& source, const std::string& copy, const std::string& text) const {
     const fs::path file = scratch.write(source, text);
-    return {file.string(), "inputs/" + copy, file_sha256(file)};
+    return {file.string(), "inputs/" + copy, scene::file_sha256(file)};
   }
-  std::vector<InputFile> ship() const {
+  std::vector<scene::InputFile> ship() const {
     return {input("hulls/ship/fluid.stl", "ship/fluid.stl", "fluid"),
             input("hulls/ship/part-0001.stl", "ship/part-0001.stl", "one"), input("way.csv", "way.csv", "way")};
   }
@@ -57,7 +57,7 @@ TEST_F(RunInputs, AreCopiedAndListedAsSha256sumReadsThem) {
 }
 
 TEST_F(RunInputs, OfAHullOfHundredsOfParts) {
-  std::vector<InputFile> inputs;
+  std::vector<scene::InputFile> inputs;
   for (int k = 1; k <= 600; ++k) {
     const std::string part = "part-" + std::to_string(k) + ".stl";
     inputs.push_back(input("ship/" + part, "ship/" + part, "part " + std::to_string(k)));
@@ -141,8 +141,8 @@ TEST_F(RunInputs, ALinkedFolderOfInputsIsNotEntered) {
 TEST_F(RunInputs, ThatTheNewRunReadsStay) {
   copy_inputs(run, ship());
   scratch.write("run/scene.xml", "of the run");
-  const std::string fluid = file_sha256(run / "inputs/ship/fluid.stl");
-  const std::vector<InputFile> own{{(run / "inputs/ship/fluid.stl").string(), "inputs/ship/fluid.stl", fluid}};
+  const std::string fluid = scene::file_sha256(run / "inputs/ship/fluid.stl");
+  const std::vector<scene::InputFile> own{{(run / "inputs/ship/fluid.stl").string(), "inputs/ship/fluid.stl", fluid}};
   { const RunLock lock = claim_run_folder(run, true, own); }
   copy_inputs(run, own);
   EXPECT_EQ(files(), (Names{"inputs/nilas-inputs.sha256", "inputs/ship/fluid.stl", "nilas.log"}));
@@ -154,7 +154,8 @@ TEST_F(RunInputs, ACopyNeverReplacesWhatTheRunReadsNorAForeignFile) {
   scratch.write("run/scene.xml", "of the run");
   scratch.write("run/inputs/field.json", "mine");
   const auto before = files();
-  const InputFile read{(run / "inputs/way.csv").string(), "inputs/way-2.csv", file_sha256(run / "inputs/way.csv")};
+  const scene::InputFile read{(run / "inputs/way.csv").string(), "inputs/way-2.csv",
+                              scene::file_sha256(run / "inputs/way.csv")};
   EXPECT_THROW((void)claim_run_folder(run, true, {input("new/way.csv", "way.csv", "new"), read}), InputError);
   EXPECT_THROW((void)claim_run_folder(run, true, {input("new/field.json", "field.json", "new")}), InputError);
   EXPECT_EQ(files(), before) << "a refusal must not touch anything";
@@ -174,4 +175,4 @@ TEST_F(RunInputs, AFolderThatHoldsCopiesAloneIsFree) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::output

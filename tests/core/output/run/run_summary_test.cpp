@@ -11,6 +11,7 @@
 namespace {
 
 using namespace nilas;
+using namespace nilas::output;
 using Json = nlohmann::ordered_json;
 
 /// A summary as summary_json() writes it, without the entries that are not read back.
@@ -56,8 +57,8 @@ void expect_same(const RunSummary& summary) {
   EXPECT_TRUE(std::isnan(summary.residuals.natural_map_m_s)) << "it is not there";
   EXPECT_EQ(summary.window, (LoadSpan{2, 12.5, "after the ramp"}));
   EXPECT_EQ(summary.touched, true);
-  EXPECT_EQ(summary.phase_ms[static_cast<std::size_t>(Phase::solver)], 4);
-  EXPECT_EQ(summary.phase_ms[static_cast<std::size_t>(Phase::output)], 0) << "a phase without work takes no time";
+  EXPECT_EQ(summary.phase_ms[static_cast<std::size_t>(sim::Phase::solver)], 4);
+  EXPECT_EQ(summary.phase_ms[static_cast<std::size_t>(sim::Phase::output)], 0) << "a phase without work takes no time";
   ASSERT_EQ(summary.loads.size(), 2U);
   EXPECT_EQ(summary.loads.front().first, "ice_resistance_N");
   EXPECT_EQ(summary.load("ice_resistance_N")->p99, 25);

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-namespace nilas {
+namespace nilas::output {
 namespace {
 
 Quat from_angles(double yaw, double pitch, double roll) {
@@ -84,4 +84,4 @@ TEST(Attitude, GimbalLockBeginsAtItsThreshold) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::output

@@ -5,12 +5,12 @@
 #include "tests/core/output/sample_run.h"
 #include "tests/support/file_text.h"
 
-namespace nilas {
+namespace nilas::output {
 namespace {
 
 TEST(BodiesCsv, WritesEveryBodyWithAllItsDigits) {
   const test::ScratchFolder folder;
-  Bodies bodies = test::sample_bodies();
+  bodies::Bodies bodies = test::sample_bodies();
   bodies.p_GB[0].x() = 1.0 / 3;
   bodies.q_GB[0] = Quat(0.5, -0.5, 0.5, -0.5);
   bodies.w_GB[0] = Vec3(7, 8, 9);
@@ -27,4 +27,4 @@ TEST(BodiesCsv, WritesEveryBodyWithAllItsDigits) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::output

@@ -5,21 +5,21 @@
 #include "core/output/tables/contacts_h5.h"
 #include "tests/core/output/sample_run.h"
 
-namespace nilas {
+namespace nilas::output {
 namespace {
 
 /// Bodies of sample_bodies(): 0 a free floe of 10 kg, 1 a fixed floe, 2 the vessel of 1500 kg, 3 a wall.
-SolvedProblem touching(const std::vector<std::pair<int, int>>& pairs) {
-  const Bodies bodies = test::sample_bodies();
-  const auto body = [&](int b) -> TouchingBody {
+contact::SolvedProblem touching(const std::vector<std::pair<int, int>>& pairs) {
+  const bodies::Bodies bodies = test::sample_bodies();
+  const auto body = [&](int b) -> contact::TouchingBody {
     const auto k = static_cast<std::size_t>(b);
-    return {bodies.id[k], bodies.motion[k] == Motion::fixed ? 0 : 1 / bodies.mass[k]};
+    return {bodies.id[k], bodies.motion[k] == bodies::Motion::fixed ? 0 : 1 / bodies.mass[k]};
   };
-  SolvedProblem solved;
+  contact::SolvedProblem solved;
   const auto n = static_cast<Eigen::Index>(pairs.size());
   solved.solution.r = solved.solution.u = VecX::Zero(3 * n);
   for (const auto& [a, b] : pairs) {
-    ContactPoint point;
+    detect::ContactPoint point;
     point.a = a;
     point.b = b;
     point.part_a = 4;
@@ -46,7 +46,7 @@ LoadedBodies vessel_only(const Vec3& com_V = Vec3::Zero()) {
 }
 
 TEST(ContactRows, ForceAndNormalPointIntoTheVesselWhicheverSideItIs) {
-  SolvedProblem solved = touching({{0, 2}, {2, 3}, {0, 1}});
+  contact::SolvedProblem solved = touching({{0, 2}, {2, 3}, {0, 1}});
   solved.couples.assign(3, Vec3(1, 0, 0));
   const auto rows = contact_rows(solved, vessel_only(), false);
   ASSERT_EQ(rows.size(), 2u) << "two floes touching are no contact of the hull";
@@ -70,7 +70,7 @@ TEST(ContactRows, ForceAndNormalPointIntoTheVesselWhicheverSideItIs) {
 }
 
 TEST(ContactRows, PointsStandInTheFrameOfTheHull) {
-  SolvedProblem solved = touching({{0, 2}});
+  contact::SolvedProblem solved = touching({{0, 2}});
   solved.vessel_p = Vec3(1, 0, 3);
   solved.vessel_R = Eigen::AngleAxisd(0.5 * k_pi, Vec3::UnitZ()).toRotationMatrix();
   const auto rows = contact_rows(solved, vessel_only(Vec3(2.5, 0, 0.25)), false);
@@ -80,13 +80,13 @@ TEST(ContactRows, PointsStandInTheFrameOfTheHull) {
 
 /// A fixed body among floes, and one of a plane; a floe that came later has the higher id.
 TEST(ContactRows, StructuresAreTheSideOnWhichTheForceActs) {
-  Bodies bodies = test::sample_bodies();
-  test::add_body(bodies, "pier", BodyKind::rigid, Motion::fixed, test::tetrahedron(), 1, Vec3::Zero());
-  Shape plane;
-  plane.kind = ShapeKind::plane;
-  test::add_body(bodies, "ground", BodyKind::rigid, Motion::fixed, plane, 1, Vec3::Zero());
-  test::add_body(bodies, "buoy", BodyKind::rigid, Motion::free, test::tetrahedron(), 1, Vec3::Zero());
-  RunInfo info;
+  bodies::Bodies bodies = test::sample_bodies();
+  test::add_body(bodies, "pier", bodies::BodyKind::rigid, bodies::Motion::fixed, test::tetrahedron(), 1, Vec3::Zero());
+  geometry::Shape plane;
+  plane.kind = geometry::ShapeKind::plane;
+  test::add_body(bodies, "ground", bodies::BodyKind::rigid, bodies::Motion::fixed, plane, 1, Vec3::Zero());
+  test::add_body(bodies, "buoy", bodies::BodyKind::rigid, bodies::Motion::free, test::tetrahedron(), 1, Vec3::Zero());
+  sim::RunInfo info;
   EXPECT_TRUE(loaded_bodies(bodies, info).structures.empty()) << "the run keeps no account of structures";
   info.structures = {{"pier", 1}};
   info.vessel_mass.com = Vec3(2, 0, 0);
@@ -95,7 +95,7 @@ TEST(ContactRows, StructuresAreTheSideOnWhichTheForceActs) {
   EXPECT_EQ(loaded.com_V, Vec3(2, 0, 0));
   EXPECT_EQ(loaded.structures, std::vector<std::int64_t>{5});
 
-  SolvedProblem solved = touching({{0, 1}, {0, 2}, {0, 3}});
+  contact::SolvedProblem solved = touching({{0, 1}, {0, 2}, {0, 3}});
   solved.touching[0][0].id = 5;  // the pier and a floe of a higher id
   solved.touching[0][1].id = 9;
   solved.touching[2][1].id = 5;
@@ -113,7 +113,7 @@ TEST(ContactRows, StructuresAreTheSideOnWhichTheForceActs) {
 TEST(ContactRows, StatusFollowsFromImpulseAndVelocity) {
   const auto status = [&](const Vec3& r, const Vec3& u, Law law = Law::coulomb, double limit = 1e9,
                           double compliance = 0) {
-    SolvedProblem solved = touching({{0, 2}});
+    contact::SolvedProblem solved = touching({{0, 2}});
     solved.problem.law = law;
     solved.problem.force_limit[0] = limit;
     solved.problem.compliance[0] = compliance;
@@ -137,8 +137,8 @@ TEST(ContactRows, StatusFollowsFromImpulseAndVelocity) {
 
 /// The impacts of this integrator lie within a step, and its last contacts name no bodies.
 TEST(ContactsH5, IsNotWrittenWithTheReferenceIntegrator) {
-  Scene scene;
-  RunInfo info;
+  scene::Scene scene;
+  sim::RunInfo info;
   info.has_vessel = true;
   EXPECT_TRUE(ContactsH5::asked(scene, info));
   scene.contact.integrator = Integrator::reference;
@@ -146,4 +146,4 @@ TEST(ContactsH5, IsNotWrittenWithTheReferenceIntegrator) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::output

@@ -6,14 +6,14 @@
 #include "tests/support/file_text.h"
 #include "tests/support/scratch_folder.h"
 
-namespace nilas {
+namespace nilas::output {
 namespace {
 
 TEST(EventsCsv, HasARowPerBrokenFloe) {
   test::ScratchFolder folder;
   EventsCsv csv(folder / "events.csv");
   csv.rows({});
-  FractureEvent event;
+  fracture::FractureEvent event;
   event.t = 1.25;
   event.kind = "bending";
   event.floe = 7;
@@ -36,4 +36,4 @@ TEST(EventsCsv, HasARowPerBrokenFloe) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::output

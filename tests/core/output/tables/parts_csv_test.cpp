@@ -7,15 +7,15 @@
 #include "tests/support/csv_table.h"
 #include "tests/support/file_text.h"
 
-namespace nilas {
+namespace nilas::output {
 namespace {
 
 TEST(PartsCsv, HasTheTensionOfEachRodBehindTheParts) {
-  RunInfo info;
+  sim::RunInfo info;
   info.parts = {{"arm", JointKind::weld}};
   info.rods = {"tie", "strut"};
-  VesselRecord vessel;
-  PartRecord part;
+  sim::VesselRecord vessel;
+  sim::PartRecord part;
   part.joint = {Vec3(1, 2, 3), Vec3(4, 5, 6)};
   vessel.parts = {part};
   vessel.rods = VecX(2);
@@ -42,4 +42,4 @@ TEST(PartsCsv, IsTheFileOfAVesselOnRodsWithoutParts) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::output

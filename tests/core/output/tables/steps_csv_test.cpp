@@ -6,7 +6,7 @@
 #include "tests/core/output/sample_run.h"
 #include "tests/support/file_text.h"
 
-namespace nilas {
+namespace nilas::output {
 namespace {
 
 using test::full_record;
@@ -38,7 +38,7 @@ TEST(StepsCsv, WritesARecord) {
 TEST(StepsCsv, ALedgerOfOtherWorksIsABrokenContract) {
   const ScratchFolder folder;
   StepsCsv csv(folder / "steps.csv", full_run());
-  StepRecord record = full_record();
+  sim::StepRecord record = full_record();
   record.ledger.works.pop_back();
   EXPECT_THROW(csv.row(record), ContractError);
 }
@@ -46,4 +46,4 @@ TEST(StepsCsv, ALedgerOfOtherWorksIsABrokenContract) {
 TEST(StepsCsv, AFullDiskEndsIt) { EXPECT_THROW(StepsCsv("/dev/full", full_run()), FileError); }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::output

@@ -7,7 +7,7 @@
 #include "tests/support/csv_table.h"
 #include "tests/support/file_text.h"
 
-namespace nilas {
+namespace nilas::output {
 namespace {
 
 using test::cells_of;
@@ -17,7 +17,7 @@ using test::lines_of;
 using test::ScratchFolder;
 
 /// File of one row for the record.
-std::vector<std::string> written(const RunInfo& info, const StepRecord& record) {
+std::vector<std::string> written(const sim::RunInfo& info, const sim::StepRecord& record) {
   const ScratchFolder folder;
   const VesselChannels channels(info);
   std::vector<double> values;
@@ -42,9 +42,9 @@ TEST(VesselCsv, HasTheColumnsOfEveryModuleInOrder) {
 }
 
 TEST(VesselCsv, LeavesOutTheColumnsOfAbsentModules) {
-  RunInfo info = full_run();
+  sim::RunInfo info = full_run();
   info.has_carriage = info.has_cells = info.has_hydro = false;
-  StepRecord record = full_record();
+  sim::StepRecord record = full_record();
   record.vessel->carriage.reset();
   record.vessel->hydro.reset();
   const auto rows = written(info, record);
@@ -57,7 +57,7 @@ TEST(VesselCsv, LeavesOutTheColumnsOfAbsentModules) {
 }
 
 TEST(VesselCsv, WritesEachValueUnderItsName) {
-  StepRecord record = full_record();
+  sim::StepRecord record = full_record();
   record.vessel->state.pose.q = Quat(Eigen::AngleAxisd(30 * k_deg, Vec3::UnitZ()));
   record.vessel->state.w = Vec3(0, 0, 0.5);
   const auto rows = written(full_run(), record);
@@ -100,7 +100,7 @@ TEST(VesselCsv, LoadsHoldTheTaredCellsWithoutTheRawOnes) {
 }
 
 TEST(VesselCsv, ARunWithoutRestHasNothingToTare) {
-  RunInfo info = full_run();
+  sim::RunInfo info = full_run();
   info.tare.reset();
   const VesselChannels channels(info);
   std::vector<double> values;
@@ -109,7 +109,7 @@ TEST(VesselCsv, ARunWithoutRestHasNothingToTare) {
 }
 
 TEST(VesselCsv, TellsOfGimbalLockAndWritesZeroRates) {
-  VesselRecord record = *full_record().vessel;
+  sim::VesselRecord record = *full_record().vessel;
   record.state.pose.q = Quat(Eigen::AngleAxisd(0.5 * k_pi, Vec3::UnitY()));
   record.state.w = Vec3(1, 2, 3);
   const VesselChannels channels(full_run());
@@ -121,7 +121,7 @@ TEST(VesselCsv, TellsOfGimbalLockAndWritesZeroRates) {
 }
 
 TEST(VesselCsv, ARecordWithoutWhatTheRunHasIsABrokenContract) {
-  VesselRecord record = *full_record().vessel;
+  sim::VesselRecord record = *full_record().vessel;
   record.hydro.reset();
   std::vector<double> values;
   EXPECT_THROW(VesselChannels(full_run()).read(record, values), ContractError);
@@ -132,9 +132,9 @@ TEST(VesselCsv, RoundingKeepsNewtonsLaw) {
   const double mass = 1500, h = 0.01;
   const Vec3 load(123.456789012345678, -0.00123456789012345, 14715.0 + 1.0 / 3);
   const Vec3 before(0.3, 1.0 / 7, -0.001), after = before + h / mass * (load + Vec3(0, 0, -9.81 * mass));
-  RunInfo info = full_run();
+  sim::RunInfo info = full_run();
   info.has_carriage = info.has_cells = false;
-  StepRecord record = full_record();
+  sim::StepRecord record = full_record();
   record.vessel->carriage.reset();
   record.vessel->contact.force.setZero();
   record.vessel->hydro->force = load;
@@ -150,4 +150,4 @@ TEST(VesselCsv, RoundingKeepsNewtonsLaw) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::output

@@ -9,7 +9,7 @@
 #include "tests/core/output/sample_run.h"
 #include "tests/support/file_text.h"
 
-namespace nilas {
+namespace nilas::output {
 namespace {
 
 TEST(ProgressText, SaysPercentTimesRateFactorAndRemaining) {
@@ -90,7 +90,7 @@ TEST(Console, SaysNothingWhenSilent) {
 
 TEST(ClosingAccount, ShowsWhereTheTimeWentAndTheWorstValues) {
   RunStatistics statistics(test::full_run());
-  statistics.start(0, Ledger{.works = {0, 0}});
+  statistics.start(0, sim::Ledger{.works = {0, 0}});
   statistics.add(test::full_record(), std::vector<double>(53, 1));
   const std::string text = closing_account(statistics, 0.056, "runs/sample");
   EXPECT_EQ(text,
@@ -128,4 +128,4 @@ TEST(ClosingAccount, ShowsWhereTheTimeWentAndTheWorstValues) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::output

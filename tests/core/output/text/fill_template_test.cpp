@@ -9,6 +9,7 @@
 namespace {
 
 using namespace nilas;
+using namespace nilas::output;
 using Json = nlohmann::ordered_json;
 
 std::string filled(const std::string& text, const Json& data) { return fill_template(text, data, Escape::html); }

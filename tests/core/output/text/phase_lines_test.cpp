@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace nilas {
+namespace nilas::output {
 namespace {
 
 /// Exact in binary, so that times can be met to the bit.
@@ -58,4 +58,4 @@ TEST(PhaseLines, CountTimeFromWhenTheyAreTold) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::output

@@ -6,7 +6,7 @@
 
 #include <sstream>
 
-namespace nilas {
+namespace nilas::output {
 namespace {
 
 constexpr PhaseTimes k_at_once{.first = 0, .settle = 0, .redraw = 1e6, .again = 1e6}, k_never{.first = 1e6};
@@ -90,4 +90,4 @@ TEST(PhaseProgress, GivesWayToMessages) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::output

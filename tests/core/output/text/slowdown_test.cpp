@@ -2,14 +2,14 @@
 
 #include <gtest/gtest.h>
 
-namespace nilas {
+namespace nilas::output {
 namespace {
 
-StepRecord step(double solver_ms, int contacts) {
-  StepRecord record;
+sim::StepRecord step(double solver_ms, int contacts) {
+  sim::StepRecord record;
   record.ms.fill(0);
-  record.ms[static_cast<std::size_t>(Phase::hydro)] = 5;
-  record.ms[static_cast<std::size_t>(Phase::solver)] = solver_ms;
+  record.ms[static_cast<std::size_t>(sim::Phase::hydro)] = 5;
+  record.ms[static_cast<std::size_t>(sim::Phase::solver)] = solver_ms;
   record.contacts = contacts;
   record.iterations = 2 * contacts;
   return record;
@@ -34,4 +34,4 @@ TEST(Slowdown, SaysNothingOfShortRuns) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::output

@@ -6,7 +6,7 @@
 
 #include "tests/core/output/sample_run.h"
 
-namespace nilas {
+namespace nilas::output {
 namespace {
 
 /// Volume by signed cones from the origin over each polygon's fan; also checks that every edge has its opposite.
@@ -39,7 +39,7 @@ TEST(BodySurface, APrismIsBottomTopAndSides) {
 }
 
 TEST(BodySurface, AConcavePrismIsClosedToo) {
-  Shape shape = test::triangle_floe();
+  geometry::Shape shape = test::triangle_floe();
   shape.outline = {Vec2(0, 0), Vec2(2, 0), Vec2(2, 2), Vec2(1, 0.5), Vec2(0, 2)};
   EXPECT_NEAR(closed_volume(polygon_surface(shape)), (4 - 1.5) * 0.2, 1e-15);
 }
@@ -51,8 +51,8 @@ TEST(BodySurface, AMeshKeepsItsTriangles) {
 }
 
 TEST(BodySurface, ASphereIsClosedAndOutward) {
-  Shape shape;
-  shape.kind = ShapeKind::sphere;
+  geometry::Shape shape;
+  shape.kind = geometry::ShapeKind::sphere;
   shape.radius = 2;
   const double exact = 4 * k_pi / 3 * 8, volume = closed_volume(polygon_surface(shape));
   EXPECT_LT(volume, exact);
@@ -60,10 +60,10 @@ TEST(BodySurface, ASphereIsClosedAndOutward) {
 }
 
 TEST(BodySurface, APlaneHasNone) {
-  Shape shape;
-  shape.kind = ShapeKind::plane;
+  geometry::Shape shape;
+  shape.kind = geometry::ShapeKind::plane;
   EXPECT_TRUE(polygon_surface(shape).ends.empty());
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::output

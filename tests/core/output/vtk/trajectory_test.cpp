@@ -10,7 +10,7 @@
 #include "core/output/vtk/vtp_array.h"
 #include "tests/core/output/sample_run.h"
 
-namespace nilas {
+namespace nilas::output {
 namespace {
 
 using test::sample_bodies;
@@ -73,8 +73,8 @@ class Document {
   const tinyxml2::XMLElement *data_ = nullptr, *piece_ = nullptr;
 };
 
-Scene sample_scene() {
-  Scene scene;
+scene::Scene sample_scene() {
+  scene::Scene scene;
   scene.ice.emplace();
   scene.vessel.emplace();
   return scene;
@@ -84,7 +84,7 @@ TEST(Trajectory, TheListIsClosedAfterEveryFrame) {
   const ScratchFolder folder;
   Trajectory trajectory(folder.path(), sample_scene(), false);
   EXPECT_TRUE(listed(folder / "trajectory.pvd").empty());
-  const Bodies bodies = sample_bodies();
+  const bodies::Bodies bodies = sample_bodies();
   trajectory.frame(0, 0, bodies);
   EXPECT_EQ(listed(folder / "trajectory.pvd").size(), 2u);
   trajectory.frame(0.1, 10, bodies);
@@ -96,7 +96,7 @@ TEST(Trajectory, TheListIsClosedAfterEveryFrame) {
 }
 
 TEST(Trajectory, HasThePartsThatTheSceneHas) {
-  const auto parts = [](const Scene& scene, bool has_forces) {
+  const auto parts = [](const scene::Scene& scene, bool has_forces) {
     const ScratchFolder folder;
     Trajectory trajectory(folder.path(), scene, has_forces);
     trajectory.frame(0, 0, sample_bodies());
@@ -111,7 +111,7 @@ TEST(Trajectory, HasThePartsThatTheSceneHas) {
     return names;
   };
   EXPECT_TRUE(parts({}, false).empty());
-  Scene scene = sample_scene();
+  scene::Scene scene = sample_scene();
   scene.bodies.emplace_back();
   scene.water.emplace();
   scene.tank.emplace();
@@ -142,7 +142,7 @@ TEST(Trajectory, EveryPartHoldsItsKindAndItsNames) {
 
 TEST(Trajectory, FloesHaveTheirDamageWhereTheSceneHasIt) {
   const ScratchFolder folder;
-  Scene scene = sample_scene();
+  scene::Scene scene = sample_scene();
   scene.fracture.emplace().damage.emplace();
   Trajectory trajectory(folder.path(), scene, false);
   trajectory.frame(0, 0, sample_bodies());
@@ -180,13 +180,13 @@ TEST(Trajectory, ContactForcesAreVectorsOnPoints) {
 }
 
 TEST(Trajectory, TheWaterCoversTheTankOrAllBodies) {
-  const auto corners = [](const Scene& scene) {
+  const auto corners = [](const scene::Scene& scene) {
     const ScratchFolder folder;
     Trajectory trajectory(folder.path(), scene, false);
     trajectory.frame(0, 0, sample_bodies());
     return Document(folder / "trajectory/water.vtp").values<double>("Points", "Points");
   };
-  Scene scene = sample_scene();
+  scene::Scene scene = sample_scene();
   scene.water.emplace().level = 0.5;
   // bodies reach from -3 to 5 and 0 to 6; a tenth of 8 m around them
   const std::vector<double> around{-3.8, -0.8, 0.5, 5.8, -0.8, 0.5, 5.8, 6.8, 0.5, -3.8, 6.8, 0.5};
@@ -200,10 +200,10 @@ TEST(Trajectory, TheWaterCoversTheTankOrAllBodies) {
 TEST(Trajectory, FollowsBodiesThatComeAndChange) {
   const ScratchFolder folder;
   Trajectory trajectory(folder.path(), sample_scene(), false);
-  Bodies bodies = sample_bodies();
+  bodies::Bodies bodies = sample_bodies();
   trajectory.frame(0, 0, bodies);
-  bodies.shape[1] = std::make_shared<const Shape>(test::tetrahedron());
-  test::add_body(bodies, "piece", BodyKind::floe, Motion::free, test::triangle_floe(), 1, Vec3::Zero());
+  bodies.shape[1] = std::make_shared<const geometry::Shape>(test::tetrahedron());
+  test::add_body(bodies, "piece", bodies::BodyKind::floe, bodies::Motion::free, test::triangle_floe(), 1, Vec3::Zero());
   trajectory.frame(0.1, 10, bodies);
   const Document ice(folder / "trajectory/step-000010-ice.vtp");
   EXPECT_EQ(ice.polygons(), 5 + 4 + 5);
@@ -217,4 +217,4 @@ TEST(Trajectory, AFolderThatCannotBeMadeIsAFileError) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::output

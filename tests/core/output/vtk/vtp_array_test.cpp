@@ -6,7 +6,7 @@
 
 #include "core/base/error.h"
 
-namespace nilas {
+namespace nilas::output {
 namespace {
 
 /// Whether a block keeps the format's rules for its end, which decoders of other makes rely on.
@@ -126,4 +126,4 @@ TEST(DataArray, IsAnElementWithHeaderAndBlockInBase64) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::output

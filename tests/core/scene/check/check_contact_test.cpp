@@ -3,7 +3,7 @@
 
 #include "tests/core/scene/scene_files.h"
 
-namespace nilas {
+namespace nilas::scene {
 namespace {
 
 using testing::expect_fault;
@@ -67,4 +67,4 @@ TEST(CheckContact, AllFaultsAreToldAtOnce) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::scene

@@ -5,7 +5,7 @@
 
 #include "tests/core/scene/complete_scene.h"
 
-namespace nilas {
+namespace nilas::scene {
 namespace {
 
 using testing::expect_fault;
@@ -156,4 +156,4 @@ TEST(CrossChecks, AKnownFaultDoesNotBringAnother) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::scene

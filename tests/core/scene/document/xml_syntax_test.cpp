@@ -3,7 +3,7 @@
 
 #include "tests/core/scene/complete_scene.h"
 
-namespace nilas {
+namespace nilas::scene {
 namespace {
 
 using testing::expect_fault;
@@ -80,4 +80,4 @@ TEST(XmlSyntax, ByteOrderMarkAndWindowsLines) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::scene

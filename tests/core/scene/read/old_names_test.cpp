@@ -6,7 +6,7 @@
 #include "tests/core/scene/scene_files.h"
 #include "tests/support/refusal.h"
 
-namespace nilas {
+namespace nilas::scene {
 namespace {
 
 using testing::in_scene;
@@ -73,4 +73,4 @@ TEST(OldNames, AShippedSceneThatMovedIsNamed) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::scene

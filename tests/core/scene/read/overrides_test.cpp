@@ -5,7 +5,7 @@
 
 #include "tests/core/scene/scene_files.h"
 
-namespace nilas {
+namespace nilas::scene {
 namespace {
 
 using testing::expect_fault;
@@ -113,4 +113,4 @@ TEST(SplitOverride, AtTheEqualsSignBehindTheAttribute) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::scene

@@ -5,7 +5,7 @@
 
 #include "tests/core/scene/complete_scene.h"
 
-namespace nilas {
+namespace nilas::scene {
 namespace {
 
 using testing::in_scene;
@@ -297,4 +297,4 @@ TEST(ReadScene, AFileThatCannotBeOpenedIsAFileError) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::scene

@@ -7,7 +7,7 @@
 #include "core/scene/schema/ice_presets.h"
 #include "tests/core/scene/scene_files.h"
 
-namespace nilas {
+namespace nilas::scene {
 namespace {
 
 using testing::in_scene;
@@ -53,8 +53,8 @@ TEST(ScaleDefaults, FollowFroudesLawWithTheHull) {
 
 TEST(ScaleDefaults, TheLengthOfAHullFileCounts) {
   const SceneFolder folder;
-  TriangleMesh box = box_shape(Vec3(60, 10, 8)).surface;
-  write_stl(box, folder / "barge.stl");
+  geometry::TriangleMesh box = geometry::box_shape(Vec3(60, 10, 8)).surface;
+  geometry::write_stl(box, folder / "barge.stl");
   const Scene scene =
       folder.read(in_scene("<vessel hull='barge.stl' position='0 0 0'><mass value='1'/><carriage speed='1'>"
                            "<force_balance kind='six-cells'/></carriage></vessel>"));
@@ -119,4 +119,4 @@ TEST(IcePresets, KeepToWhatIceIs) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::scene

@@ -10,7 +10,7 @@
 #include "core/scene/schema/values.h"
 #include "tests/core/scene/complete_scene.h"
 
-namespace nilas {
+namespace nilas::scene {
 namespace {
 
 using testing::in_scene;
@@ -204,4 +204,4 @@ TEST(Markdown, TablesAreRectangular) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::scene

@@ -12,6 +12,7 @@
 namespace {
 
 using namespace nilas;
+using namespace nilas::sim;
 
 /// Floes that drag slows and drives, a wall that is rough and bounces, a ball that falls, and a box that starts deep in
 /// a slab.
@@ -24,8 +25,9 @@ const std::string k_world =
     "<body name='slab' shape='box' size='1 1 1' position='10 0 2' fixed='true'/>"
     "<body name='deep' shape='box' size='0.2 0.2 0.2' density='400' position='10 0 2.59'/>";
 
-Scene scene_of(const test::ScratchFolder& folder, const std::string& integrator, const std::string& stabilisation) {
-  return read_scene(folder.write(
+scene::Scene scene_of(const test::ScratchFolder& folder, const std::string& integrator,
+                      const std::string& stabilisation) {
+  return scene::read_scene(folder.write(
       "scene.xml", "<scene version='1'><time step='0.01'/><contact solver='newton' tolerance='1e-12' integrator='" +
                        integrator + "' stabilisation='" + stabilisation +
                        "'><friction between='* *' static='0.3' kinetic='0.3' restitution='0.4'/></contact>" + k_world +
@@ -90,8 +92,8 @@ TEST(Modules, AreBuiltForWhatASceneNamesOnly) {
   const test::ScratchFolder folder;
   const auto built = [&](const std::string& content) {
     WarningCounts warnings{make_logger("off", "")};
-    const Simulation simulation(read_scene(folder.write("scene.xml", "<scene version='1'>" + content + "</scene>")), 1,
-                                warnings);
+    const Simulation simulation(
+        scene::read_scene(folder.write("scene.xml", "<scene version='1'>" + content + "</scene>")), 1, warnings);
     std::vector<std::string> names;
     for (const auto& [name, why] : simulation.info().modules) names.push_back(name);
     return names;

@@ -6,25 +6,25 @@
 
 #include "contact/measure/measure.h"
 
-namespace nilas {
+namespace nilas::sim {
 namespace {
 
 constexpr double k_mass = 2;
 
 /// One floe (body 0) pressed against a vessel (body 1) that does not yield, at arm (0, 1, 0) from its centre.
-SolvedProblem pressed(double off, Law law, StepMotion& motion) {
-  SolvedProblem solved;
-  ContactProblem& problem = solved.problem;
+contact::SolvedProblem pressed(double off, Law law, contact::StepMotion& motion) {
+  contact::SolvedProblem solved;
+  contact::ContactProblem& problem = solved.problem;
   problem.h = motion.h = 0.01;
   problem.law = law;
   problem.add_block(k_mass * Mat3::Identity());
   problem.add_contact(0, -Mat3::Identity(), -1, MatX(3, 0), 1);  // the normal points at the vessel: B
   problem.f << 0.5, 0, 0;
   solved.solution.r = Vec3(0.5 + off, 0, 0);
-  solved.solution.v = velocities(problem, solved.solution.r);
-  measure(PreparedProblem(problem), solved.solution.r, solved.solution.v, solved.d);
+  solved.solution.v = contact::velocities(problem, solved.solution.r);
+  contact::measure(contact::PreparedProblem(problem), solved.solution.r, solved.solution.v, solved.d);
   motion.p = {Vec3(-1, 1, 0), Vec3::Zero()};
-  ContactPoint c;
+  detect::ContactPoint c;
   c.a = 0;
   c.b = 1;
   c.p = Vec3(0, 1, 0);
@@ -33,9 +33,9 @@ SolvedProblem pressed(double off, Law law, StepMotion& motion) {
 }
 
 TEST(LoadResidual, AWrongImpulseIsTheLoadThatIsOff) {
-  StepMotion motion;
+  contact::StepMotion motion;
   for (const double off : {0.125, -0.25}) {
-    const SolvedProblem solved = pressed(off, Law::coulomb, motion);
+    const contact::SolvedProblem solved = pressed(off, Law::coulomb, motion);
     const LoadResidual e = load_residual(solved, {Mat3::Identity()}, motion, 1);
     EXPECT_NEAR(e.solver.force.x(), std::abs(off), 1e-15);
     EXPECT_NEAR(e.solver.torque.z(), std::abs(off), 1e-15);
@@ -43,7 +43,7 @@ TEST(LoadResidual, AWrongImpulseIsTheLoadThatIsOff) {
     EXPECT_EQ(e.law.force.norm(), 0);
   }
   // a floe that touches no vessel is none of its load
-  const SolvedProblem solved = pressed(0.125, Law::coulomb, motion);
+  const contact::SolvedProblem solved = pressed(0.125, Law::coulomb, motion);
   motion.p.push_back(Vec3::Zero());
   EXPECT_EQ(load_residual(solved, {Mat3::Identity()}, motion, 2).solver.force.norm(), 0);
 }
@@ -51,9 +51,9 @@ TEST(LoadResidual, AWrongImpulseIsTheLoadThatIsOff) {
 /// The vessel (body 2) pushes a floe that pushes another: what is off between the floes may reach the vessel, but a
 /// solver that met its tolerance is taken by its word. A third floe (body 3) rests against the second's neighbour only.
 TEST(LoadResidual, OfFloesBehindCountsWhereTheSolverStoppedShort) {
-  StepMotion motion;
-  SolvedProblem solved;
-  ContactProblem& problem = solved.problem;
+  contact::StepMotion motion;
+  contact::SolvedProblem solved;
+  contact::ContactProblem& problem = solved.problem;
   problem.h = motion.h = 0.01;
   problem.law = Law::coulomb;
   for (int k = 0; k < 4; ++k) problem.add_block(k_mass * Mat3::Identity());
@@ -66,8 +66,8 @@ TEST(LoadResidual, OfFloesBehindCountsWhereTheSolverStoppedShort) {
   solved.solution.r = VecX::Zero(9);
   solved.solution.r[0] = between;
   solved.solution.r[6] = elsewhere;
-  solved.solution.v = velocities(problem, solved.solution.r);
-  measure(PreparedProblem(problem), solved.solution.r, solved.solution.v, solved.d);
+  solved.solution.v = contact::velocities(problem, solved.solution.r);
+  contact::measure(contact::PreparedProblem(problem), solved.solution.r, solved.solution.v, solved.d);
   motion.p.assign(5, Vec3::Zero());
   motion.points.resize(3);
   constexpr int k_vessel = 4;
@@ -77,9 +77,9 @@ TEST(LoadResidual, OfFloesBehindCountsWhereTheSolverStoppedShort) {
     motion.points[c].p = Vec3(0, 2, 0);
   }
   const std::vector<Mat3> C(3, Mat3::Identity());
-  solved.solution.status = SolveStatus::converged;
+  solved.solution.status = contact::SolveStatus::converged;
   const double at_hull = load_residual(solved, C, motion, k_vessel).solver.force.x();
-  solved.solution.status = SolveStatus::iteration_limit;
+  solved.solution.status = contact::SolveStatus::iteration_limit;
   const LoadResidual e = load_residual(solved, C, motion, k_vessel);
   const double behind = e.solver.force.x() - at_hull;
   EXPECT_GT(behind, 0.5 * between);
@@ -90,13 +90,13 @@ TEST(LoadResidual, OfFloesBehindCountsWhereTheSolverStoppedShort) {
 }
 
 TEST(LoadResidual, OfTheLawIsSigned) {
-  StepMotion motion;
-  SolvedProblem solved = pressed(0, Law::pyramid, motion);
+  contact::StepMotion motion;
+  contact::SolvedProblem solved = pressed(0, Law::pyramid, motion);
   solved.problem.mu[0] = 0.5;
   solved.problem.f << 0.5, 3, 3;
   const double bound = 0.25;
   solved.solution.r = Vec3(0.5, bound, bound);
-  solved.solution.v = velocities(solved.problem, solved.solution.r);
+  solved.solution.v = contact::velocities(solved.problem, solved.solution.r);
   const LoadResidual e = load_residual(solved, {Mat3::Identity()}, motion, 1);
   EXPECT_LT(e.solver.force.norm(), 1e-15);
   EXPECT_GT(e.law.force.y(), 0.05) << "the vessel is dragged along too much";
@@ -104,4 +104,4 @@ TEST(LoadResidual, OfTheLawIsSigned) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::sim

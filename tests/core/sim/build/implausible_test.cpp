@@ -12,16 +12,16 @@
 #include "core/sim/world/course.h"
 #include "tests/support/scratch_folder.h"
 
-namespace nilas {
+namespace nilas::sim {
 namespace {
 
 class Implausible : public ::testing::Test {
  protected:
-  Scene read(const std::string& content) {
-    return read_scene(folder_.write("scene.xml", "<scene version=\"1\">\n" + content + "\n</scene>\n"));
+  scene::Scene read(const std::string& content) {
+    return scene::read_scene(folder_.write("scene.xml", "<scene version=\"1\">\n" + content + "\n</scene>\n"));
   }
   std::vector<Fault> warnings(const std::string& content) {
-    const Scene scene = read(content);
+    const scene::Scene scene = read(content);
     WarningCounts counts(make_logger("off", ""));
     return build_world(scene, 1, counts).info.warnings;
   }
@@ -98,14 +98,14 @@ TEST_F(Implausible, AWindowThatEndsBeforeTheIceDoesSilencesTheWarning) {
 TEST_F(Implausible, ATowAsternIsATow) {
   const auto all = warnings(k_wet + towed("<carriage speed='-1' heading_deg='180' ramp='2' free='heave'/>") + k_floe);
   EXPECT_TRUE(all.empty()) << text(all);
-  const Scene scene = read(k_wet + towed("<carriage speed='-1' heading_deg='180' free='heave'/>") + k_floe);
+  const scene::Scene scene = read(k_wet + towed("<carriage speed='-1' heading_deg='180' free='heave'/>") + k_floe);
   WarningCounts counts(make_logger("off", ""));
   const StepRecord record = Simulation(scene, 1, counts).step();
   EXPECT_NEAR(record.vessel->course.x(), 1, 1e-12) << "it moves forward";
 }
 
 TEST_F(Implausible, ADriftOfZeroHidesNoOther) {
-  const Scene scene = read(
+  const scene::Scene scene = read(
       "<water><current velocity='0 0 0'/></water><hydro><buoyancy/><virtual_drag coefficient='1'/></hydro>\n"
       "<body name='pier' shape='cylinder' radius='1' height='4' fixed='true'/><body name='bed' shape='plane' "
       "position='0 0 -3'/>"
@@ -164,4 +164,4 @@ TEST_F(Implausible, ARampAndAStepThatDoNotFitThePeriods) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::sim

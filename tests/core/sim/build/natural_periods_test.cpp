@@ -10,7 +10,7 @@
 #include "core/sim/build/build_world.h"
 #include "tests/support/scratch_folder.h"
 
-namespace nilas {
+namespace nilas::sim {
 namespace {
 
 constexpr double k_length = 12, k_beam = 4, k_depth = 2, k_draught = 1, k_water = 1000, k_gravity = 9.81;
@@ -19,12 +19,12 @@ constexpr double k_mass = k_water * k_length * k_beam * k_draught;
 /// `rest`: the support of the barge.
 std::map<std::string, NaturalPeriod> periods(const std::string& rest, const std::string& heading = "0") {
   const test::ScratchFolder folder;
-  TriangleMesh box = box_shape(Vec3(k_length, k_beam, k_depth)).surface;
-  write_stl(box, folder / "barge.stl");
+  geometry::TriangleMesh box = geometry::box_shape(Vec3(k_length, k_beam, k_depth)).surface;
+  geometry::write_stl(box, folder / "barge.stl");
   const auto file = folder.write("scene.xml", R"(<scene version="1"><time step="0.01" end="1"/><water density="1000"/>
   <hydro><buoyancy/></hydro><vessel hull="barge.stl" position="0 0" heading_deg=")" +
                                                   heading + R"("><mass draught="1"/>)" + rest + "</vessel></scene>");
-  const Scene scene = read_scene(file);
+  const scene::Scene scene = scene::read_scene(file);
   WarningCounts warnings(make_logger("off", ""));
   const WorldParts parts = build_world(scene, 1, warnings);
   std::map<std::string, NaturalPeriod> found;
@@ -71,4 +71,4 @@ TEST(NaturalPeriods, OnARigidBalanceOnlyTheFreeAxesHaveOne) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::sim

@@ -11,7 +11,7 @@
 #include "tests/support/refusal.h"
 #include "tests/support/scratch_folder.h"
 
-namespace nilas {
+namespace nilas::sim {
 namespace {
 
 constexpr double k_water = 1005;
@@ -29,7 +29,9 @@ const std::string k_vary =
 
 class VaryIce : public testing::Test {
  protected:
-  Scene read(const std::string& content) const { return read_scene(folder_.write("scene.xml", scene_with(content))); }
+  scene::Scene read(const std::string& content) const {
+    return scene::read_scene(folder_.write("scene.xml", scene_with(content)));
+  }
   WorldParts world(const std::string& content, int threads = 1) {
     return build_world(read(content), threads, warnings_);
   }
@@ -45,8 +47,9 @@ TEST_F(VaryIce, MassDraughtAndContactGeometryAreThoseOfEachFloe) {
   ASSERT_EQ(floes.size(), 400u);
   double mass = 0;
   for (std::size_t b = 0; b < floes.size(); ++b) {
-    const FieldFloe& floe = floes[b].floe;
-    EXPECT_DOUBLE_EQ(parts.bodies.mass[b], floe.density * floe.thickness * polygon_moments(floe.outline).area);
+    const field::FieldFloe& floe = floes[b].floe;
+    EXPECT_DOUBLE_EQ(parts.bodies.mass[b],
+                     floe.density * floe.thickness * geometry::polygon_moments(floe.outline).area);
     EXPECT_EQ(parts.bodies.shape[b]->thickness, floe.thickness);
     EXPECT_DOUBLE_EQ(parts.bodies.shape[b]->parts[0].smallest_width, floe.thickness);
     const double draught = 0.5 * floe.thickness - parts.bodies.p_GB[b].z();
@@ -67,12 +70,12 @@ TEST_F(VaryIce, TheFloesHaveWhatWasAsked) {
     EXPECT_LT(one.floe.density, k_water);
   }
   const double n = 400, error = 4 / std::sqrt(n);
-  EXPECT_NEAR(summary_of(thickness).mean, 0.05, error * 0.005);
-  EXPECT_NEAR(summary_of(thickness).sd, 0.005, error * 0.005 / std::sqrt(2.0));
-  EXPECT_NEAR(summary_of(density).mean, 900, error * 18);
-  EXPECT_NEAR(summary_of(strength).mean, 4e4, error * 1.2e4);
-  EXPECT_NEAR(score_correlation(thickness, density), 0.6, error * (1 - 0.36));
-  EXPECT_NEAR(score_correlation(thickness, strength), 0, error);
+  EXPECT_NEAR(field::summary_of(thickness).mean, 0.05, error * 0.005);
+  EXPECT_NEAR(field::summary_of(thickness).sd, 0.005, error * 0.005 / std::sqrt(2.0));
+  EXPECT_NEAR(field::summary_of(density).mean, 900, error * 18);
+  EXPECT_NEAR(field::summary_of(strength).mean, 4e4, error * 1.2e4);
+  EXPECT_NEAR(field::score_correlation(thickness, density), 0.6, error * (1 - 0.36));
+  EXPECT_NEAR(field::score_correlation(thickness, strength), 0, error);
 }
 
 /// Each floats at its own draught, so nothing moves and no energy is lost; a floe that is too heavy for its draught
@@ -95,7 +98,8 @@ TEST_F(VaryIce, ThreadsChangeNoBit) {
   const WorldParts one = world(k_grid + texture, 1), three = world(k_grid + texture, 3);
   for (std::size_t b = 0; b < one.ice[0].floes.size(); ++b) {
     const PlannedFloe &a = one.ice[0].floes[b], &c = three.ice[0].floes[b];
-    for (const auto property : k_floe_properties) EXPECT_EQ(value_of(a.floe, property), value_of(c.floe, property));
+    for (const auto property : field::k_floe_properties)
+      EXPECT_EQ(field::value_of(a.floe, property), field::value_of(c.floe, property));
     ASSERT_EQ(a.texture.size(), 2u);
     EXPECT_EQ(a.texture[0].texture.at(0.1, -0.2), c.texture[0].texture.at(0.1, -0.2));
     EXPECT_EQ(one.bodies.mass[b], three.bodies.mass[b]);
@@ -105,9 +109,9 @@ TEST_F(VaryIce, ThreadsChangeNoBit) {
 /// A field that was written reads back to the same bodies, whatever the scene varies then.
 TEST_F(VaryIce, AFileCarriesTheProperties) {
   const WorldParts drawn = world(k_grid + k_vary);
-  FieldResult field;
+  field::FieldResult field;
   for (const auto& one : drawn.ice[0].floes) field.floes.push_back(one.floe);
-  write_field(field, folder_.path() / "field.geojson");
+  field::write_field(field, folder_.path() / "field.geojson");
   const std::string file = "<field kind='file' file='field.geojson'/>\n";
   for (const std::string& content : {file, file + k_vary}) {
     const WorldParts read = world(content);
@@ -116,8 +120,9 @@ TEST_F(VaryIce, AFileCarriesTheProperties) {
       EXPECT_EQ(read.bodies.mass[b], drawn.bodies.mass[b]);
       EXPECT_EQ(read.bodies.p_GB[b], drawn.bodies.p_GB[b]);
       EXPECT_EQ(read.bodies.inertia_B[b], drawn.bodies.inertia_B[b]);
-      for (const auto property : k_floe_properties)
-        EXPECT_EQ(value_of(read.ice[0].floes[b].floe, property), value_of(drawn.ice[0].floes[b].floe, property));
+      for (const auto property : field::k_floe_properties)
+        EXPECT_EQ(field::value_of(read.ice[0].floes[b].floe, property),
+                  field::value_of(drawn.ice[0].floes[b].floe, property));
     }
   }
 }
@@ -156,9 +161,9 @@ TEST_F(VaryIce, IceAsHeavyAsTheWaterIsRefusedWithItsLine) {
                                   "<scene version='1'>\n<water density='1000'/><hydro><buoyancy/></hydro>\n"
                                   "<ice density='1000'>\n<floe outline='0 0 1 0 1 1'/>\n<vary property='density'/>\n"
                                   "</ice></scene>");
-  test::expect_refusal([&] { build_world(read_scene(file), 1, warnings_); },
+  test::expect_refusal([&] { build_world(scene::read_scene(file), 1, warnings_); },
                        {"heavy.xml:5: <ice><vary>: density varies about 1000 kg/m^3"});
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::sim

@@ -15,6 +15,7 @@
 namespace {
 
 using namespace nilas;
+using namespace nilas::sim;
 
 struct Rig : test::SceneRig {
   using SceneRig::SceneRig;
@@ -22,7 +23,7 @@ struct Rig : test::SceneRig {
   Vec3 place() const { return simulation.bodies().p_GB[vessel()]; }
   Quat attitude() const { return simulation.bodies().q_GB[vessel()]; }
   double mass() const { return simulation.info().vessel_mass.mass; }
-  const CarriageLoads& tare() const { return simulation.info().tare.value(); }
+  const vessel::CarriageLoads& tare() const { return simulation.info().tare.value(); }
 };
 
 const std::string k_water = "<water density='1000' level='0'/><hydro><buoyancy/><drag/></hydro>";
@@ -42,8 +43,9 @@ std::string ship(const std::string& carriage, const std::string& balance,
 }
 
 /// A step's readings put together again: torque about the joint and force, in G.
-Wrench reassembled(const CarriageLoads& loads, double length) {
-  const Vec6 wrench = cell_wrenches(default_cells(0.25 * length)) * Eigen::Map<const Vec6>(loads.cells.data());
+Wrench reassembled(const vessel::CarriageLoads& loads, double length) {
+  const Vec6 wrench =
+      vessel::cell_wrenches(vessel::default_cells(0.25 * length)) * Eigen::Map<const Vec6>(loads.cells.data());
   const Quat R(Eigen::AngleAxisd(20 * k_deg, Vec3::UnitZ()));
   return {R * wrench.tail<3>(), R * wrench.head<3>()};
 }
@@ -64,7 +66,7 @@ TEST_P(VesselAtRest, ItsCellsReadTheStaticsWithoutRinging) {
     largest = 0;
     for (int k = 0; k < 100; ++k) {
       const StepRecord record = rig.simulation.step();
-      const CarriageLoads& carried = *record.vessel->carriage;
+      const vessel::CarriageLoads& carried = *record.vessel->carriage;
       most = std::max(most, largest_difference(carried.cells, rig.tare().cells));
       for (const double reading : carried.cells) largest = std::max(largest, std::abs(reading));
       const Wrench sum = reassembled(carried, 4);
@@ -87,12 +89,12 @@ TEST_P(VesselAtRest, ItsCellsReadTheStaticsWithoutRinging) {
 
 TEST_P(VesselAtRest, AFreeHullStartsWhereItFloats) {
   Rig rig(integrator(GetParam()) + k_water + ship("free='heave roll pitch'", "<force_balance kind='rigid'/>"));
-  const auto floating = floating_equilibrium(*rig.simulation.bodies().shape[rig.vessel()], rig.mass(),
-                                             Quat(Eigen::AngleAxisd(20 * k_deg, Vec3::UnitZ())), [] {
-                                               Water water;
-                                               water.density = 1000;
-                                               return water;
-                                             }());
+  const auto floating = hydro::floating_equilibrium(*rig.simulation.bodies().shape[rig.vessel()], rig.mass(),
+                                                    Quat(Eigen::AngleAxisd(20 * k_deg, Vec3::UnitZ())), [] {
+                                                      hydro::Water water;
+                                                      water.density = 1000;
+                                                      return water;
+                                                    }());
   EXPECT_GT(std::abs(floating.trim), 1e-3);
   EXPECT_NEAR(rig.place().z(), floating.pose.p.z(), 1e-9);
   const Vec3 bow = rig.attitude() * Vec3::UnitX(), floating_bow = floating.pose.q * Vec3::UnitX();
@@ -118,7 +120,7 @@ TEST_P(VesselAtRest, SoAreItsParts) {
     const Vec3 start = rig.place();
     for (int k = 0; k < 100; ++k) {
       const StepRecord record = rig.simulation.step();
-      const CarriageLoads& carried = *record.vessel->carriage;
+      const vessel::CarriageLoads& carried = *record.vessel->carriage;
       ASSERT_LT(largest_difference(carried.cells, rig.tare().cells), 1e-10 * weight) << k;
       ASSERT_LT((carried.about_joint.force - rig.tare().about_joint.force).norm(), 1e-10 * weight) << k;
       ASSERT_LT((carried.about_joint.torque - rig.tare().about_joint.torque).norm(), 1e-10 * weight) << k;

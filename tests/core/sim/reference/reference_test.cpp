@@ -14,6 +14,7 @@
 namespace {
 
 using namespace nilas;
+using namespace nilas::sim;
 
 struct Rig : test::SceneRig {
   using SceneRig::SceneRig;

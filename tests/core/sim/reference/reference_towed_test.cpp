@@ -13,6 +13,7 @@
 namespace {
 
 using namespace nilas;
+using namespace nilas::sim;
 
 constexpr double k_mass = 800, k_gravity = 9.81;
 
@@ -90,15 +91,15 @@ TEST(ReferenceTowed, TheRampTakesMassTimesAcceleration) {
 VecX exact_swing(double inertia, double mass, double arm, double a, double ramp, double t, VecX y) {
   for (const auto& [pull, from, to] : {std::tuple(a, 0.0, std::min(t, ramp)), std::tuple(0.0, ramp, t)}) {
     if (!(to > from)) continue;
-    EventOde ode;
+    numerics::EventOde ode;
     ode.derivative = [=, drive = pull](double, const VecX& x, VecX& dx) {
       dx.resize(2);
       dx << x[1], mass * arm * (drive * std::cos(x[0]) - k_gravity * std::sin(x[0])) / (inertia + mass * arm * arm);
     };
-    OdeSettings settings;
+    numerics::OdeSettings settings;
     settings.relative = 1e-14;
     settings.absolute = VecX::Constant(2, 1e-14);
-    OdeSolution solution(std::move(ode), settings, from, y);
+    numerics::OdeSolution solution(std::move(ode), settings, from, y);
     solution.follow(to, y);
   }
   return y;

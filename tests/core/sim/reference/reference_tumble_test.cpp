@@ -16,6 +16,7 @@
 namespace {
 
 using namespace nilas;
+using namespace nilas::sim;
 
 using Exact = long double;  // 1 - k^2 is 1e-6 for the tumbler: doubles would leave ten digits of its period
 using ExactVec3 = Eigen::Matrix<Exact, 3, 1>;
@@ -100,7 +101,7 @@ TEST_P(ReferenceTumble, HoldsTheStatedAttitude) {
                                             "<contact integrator='reference'/><body shape='box' size='1 1 1' mass='1' "
                                             "inertia='1 2 2.7 0 0 0' angular_velocity='{} {} {}'/></scene>",
                                             rates.x(), rates.y(), rates.z()));
-  Simulation simulation(read_scene(file), 1, warnings);
+  Simulation simulation(scene::read_scene(file), 1, warnings);
   const FreeTop top({1, 2, 2.7}, rates);
   EXPECT_NEAR(static_cast<double>((top.attitude(0) - ExactMat3::Identity()).norm()), 0, 1e-15);
   const std::array<double, 3> times{5, 10, 30};

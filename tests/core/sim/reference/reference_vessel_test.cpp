@@ -12,6 +12,7 @@
 namespace {
 
 using namespace nilas;
+using namespace nilas::sim;
 
 struct Rig : test::SceneRig {
   using SceneRig::SceneRig;
@@ -45,7 +46,7 @@ const std::string k_pendulum =
 VecX exact_pendulum(double t) {
   const double m1 = 3, m2 = 2, c1 = 0.4, c2 = 0.3, l = 0.8, g = 9.81;
   const double I1 = m1 / 12 * (0.8 * 0.8 + 0.1 * 0.1), I2 = m2 / 12 * (0.6 * 0.6 + 0.1 * 0.1);
-  EventOde ode;
+  numerics::EventOde ode;
   ode.derivative = [=](double, const VecX& y, VecX& dy) {
     const double s = std::sin(y[0] - y[1]), c = std::cos(y[0] - y[1]), k = m2 * l * c2;
     Eigen::Matrix2d mass;
@@ -55,12 +56,12 @@ VecX exact_pendulum(double t) {
     dy.resize(4);
     dy << y.tail<2>(), mass.inverse() * force;
   };
-  OdeSettings settings;
+  numerics::OdeSettings settings;
   settings.relative = 1e-13;
   settings.absolute = VecX::Constant(4, 1e-13);
   VecX y(4);
   y << 50 * k_deg, 25 * k_deg, -30 * k_deg, 50 * k_deg;
-  OdeSolution solution(std::move(ode), settings, 0, y);
+  numerics::OdeSolution solution(std::move(ode), settings, 0, y);
   solution.follow(t, y);
   return y;
 }

@@ -8,11 +8,12 @@
 namespace {
 
 using namespace nilas;
+using namespace nilas::sim;
 
-Bodies one_body(const Vec3& moments, const Vec3& w) {
-  Bodies bodies;
-  BodySpec spec;
-  spec.shape = std::make_shared<const Shape>(box_shape({1, 1, 1}));
+bodies::Bodies one_body(const Vec3& moments, const Vec3& w) {
+  bodies::Bodies bodies;
+  bodies::BodySpec spec;
+  spec.shape = std::make_shared<const geometry::Shape>(geometry::box_shape({1, 1, 1}));
   spec.mass = 2;
   spec.inertia_B = moments.asDiagonal();
   spec.pose.q = Quat(0.5, 0.5, -0.5, 0.5);
@@ -21,10 +22,10 @@ Bodies one_body(const Vec3& moments, const Vec3& w) {
   return bodies;
 }
 
-Velocities velocities_of(const Bodies& bodies) { return {bodies.v_GB, bodies.w_GB}; }
+contact::Velocities velocities_of(const bodies::Bodies& bodies) { return {bodies.v_GB, bodies.w_GB}; }
 
 TEST(Advance, AboutAPrincipalAxisIsExact) {
-  Bodies bodies = one_body({1, 2, 3}, Vec3::Zero());
+  bodies::Bodies bodies = one_body({1, 2, 3}, Vec3::Zero());
   bodies.w_GB[0] = bodies.R_GB[0] * Vec3(0, 0, 1.7);
   const Mat3 start = bodies.R_GB[0];
   const double h = 0.01;
@@ -37,7 +38,7 @@ TEST(Advance, AboutAPrincipalAxisIsExact) {
 /// second order.
 TEST(Advance, AnAsymmetricTopKeepsItsAngularMomentumAndEnergy) {
   for (const double speed : {1.0, 30.0, 1000.0}) {
-    Bodies bodies = one_body({1, 2, 2.5}, speed * Vec3(0.4, 1, 0.3).normalized());
+    bodies::Bodies bodies = one_body({1, 2, 2.5}, speed * Vec3(0.4, 1, 0.3).normalized());
     const Vec3 L0 = bodies.inertia_G(0) * bodies.w_GB[0];
     const double E0 = 0.5 * bodies.w_GB[0].dot(L0);
     const int steps = speed > 100 ? 2000 : 100000;
@@ -51,7 +52,7 @@ TEST(Advance, AnAsymmetricTopKeepsItsAngularMomentumAndEnergy) {
 
 TEST(Advance, AnAsymmetricTopsAttitudeIsOfSecondOrder) {
   const auto attitude = [](double h) {
-    Bodies bodies = one_body({1, 2, 3}, {0.4, 2, 0.3});
+    bodies::Bodies bodies = one_body({1, 2, 3}, {0.4, 2, 0.3});
     for (int k = 0; k < static_cast<int>(std::lround(4 / h)); ++k) advance(bodies, velocities_of(bodies), h, true, 1);
     return bodies.q_GB[0];
   };
@@ -67,23 +68,23 @@ TEST(Advance, AnAsymmetricTopsAttitudeIsOfSecondOrder) {
 }
 
 TEST(Advance, WithoutTheGyroscopicTermTheAngularVelocityIsKept) {
-  Bodies bodies = one_body({1, 2, 3}, {0.4, 2, 0.3});
+  bodies::Bodies bodies = one_body({1, 2, 3}, {0.4, 2, 0.3});
   const Vec3 w = bodies.w_GB[0];
   for (int k = 0; k < 100; ++k) advance(bodies, velocities_of(bodies), 0.01, false, 1);
   EXPECT_EQ(bodies.w_GB[0], w);
 }
 
 TEST(FreeVelocities, ObeyNewtonAndEuler) {
-  const Bodies bodies = one_body({1, 2, 3}, {0.1, 0.2, 0.3});
+  const bodies::Bodies bodies = one_body({1, 2, 3}, {0.1, 0.2, 0.3});
   const std::vector<Wrench> loads{{{3, -1, 2}, {0.5, 0.1, -0.7}}};
-  Velocities out;
+  contact::Velocities out;
   free_velocities(bodies, loads, 0.1, out);
   EXPECT_LT((bodies.mass[0] * (out.v[0] - bodies.v_GB[0]) - 0.1 * loads[0].force).norm(), 1e-15);
   EXPECT_LT((bodies.inertia_G(0) * (out.w[0] - bodies.w_GB[0]) - 0.1 * loads[0].torque).norm(), 1e-15);
 }
 
 TEST(Displace, LeavesVelocitiesAlone) {
-  Bodies bodies = one_body({1, 2, 3}, {0.1, 0.2, 0.3});
+  bodies::Bodies bodies = one_body({1, 2, 3}, {0.1, 0.2, 0.3});
   const Vec3 v = bodies.v_GB[0], w = bodies.w_GB[0];
   displace(bodies, {{Vec3(1, 0, 0)}, {Vec3(0, 0, 1)}}, 0.01);
   EXPECT_EQ(bodies.v_GB[0], v);

@@ -11,6 +11,7 @@
 namespace {
 
 using namespace nilas;
+using namespace nilas::sim;
 
 using Counts = std::map<std::string, long>;
 
@@ -26,7 +27,7 @@ Counts of_pairs(const WarningCounts& warnings) {
 class UnnamedPairs : public testing::Test {
  protected:
   test::ScratchFolder folder_;
-  Scene scene_ = read_scene(folder_.write(
+  scene::Scene scene_ = scene::read_scene(folder_.write(
       "scene.xml",
       "<scene version='1'><time step='0.01' end='1'/>"
       "<contact><friction between='rubber rubber' static='0.3' "

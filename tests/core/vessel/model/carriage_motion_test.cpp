@@ -8,7 +8,7 @@
 #include "tests/support/mentions.h"
 #include "tests/support/refusal.h"
 
-namespace nilas {
+namespace nilas::vessel {
 namespace {
 
 std::string fault(const std::string& text) {
@@ -132,4 +132,4 @@ TEST(CarriageMotion, RefusesWrongPaths) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::vessel

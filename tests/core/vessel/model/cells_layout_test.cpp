@@ -6,7 +6,7 @@
 #include "tests/support/mentions.h"
 #include "tests/support/refusal.h"
 
-namespace nilas {
+namespace nilas::vessel {
 namespace {
 
 const char* const k_header = "x_m,y_m,z_m,ax,ay,az\n";
@@ -79,4 +79,4 @@ TEST(CellsLayout, CondensedStiffnessIsThatOfAJointInSeries) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::vessel

@@ -6,7 +6,7 @@
 #include "tests/support/mentions.h"
 #include "tests/support/refusal.h"
 
-namespace nilas {
+namespace nilas::vessel {
 namespace {
 
 const std::vector<std::optional<double>> k_schemes{std::nullopt, 0.5};
@@ -206,4 +206,4 @@ TEST(CarriedRods, SixHoldAVesselFast) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::vessel

@@ -5,7 +5,7 @@
 #include "core/vessel/tree/carried_vessel.h"
 #include "tests/core/vessel/example_vessel.h"
 
-namespace nilas {
+namespace nilas::vessel {
 namespace {
 
 /// Cells anywhere, with axes of any direction, that tell the loads apart well.
@@ -82,4 +82,4 @@ TEST(CellForce, PressesBackWhereTheVesselMovesAlongTheAxis) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::vessel

@@ -5,7 +5,7 @@
 
 #include "tests/core/vessel/tree/jointed_example.h"
 
-namespace nilas {
+namespace nilas::vessel {
 namespace {
 
 constexpr double k_h = 0.01;
@@ -140,4 +140,4 @@ TEST(JointedAccelerationWork, IsWhatTheBodiesGain) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::vessel

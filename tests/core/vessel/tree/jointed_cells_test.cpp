@@ -5,7 +5,7 @@
 #include "core/vessel/model/cells.h"
 #include "tests/core/vessel/tree/jointed_example.h"
 
-namespace nilas {
+namespace nilas::vessel {
 namespace {
 
 constexpr double k_h = 0.01;
@@ -177,4 +177,4 @@ TEST(JointedCells, GoOnFromTheirSavedStateWithTheSameBits) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::vessel

@@ -10,8 +10,8 @@ namespace nilas::example {
 constexpr double k_gravity = 9.81;  ///< [m/s^2]
 
 /// A part of 20 kg whose inertia has no zero entry, hanging by `joint` at a point that its centre of mass is not in.
-inline PartModel part(JointKind joint, int to = -1) {
-  PartModel model;
+inline vessel::PartModel part(JointKind joint, int to = -1) {
+  vessel::PartModel model;
   model.mass = 20;
   model.inertia_B << 3, 0.1, -0.2, 0.1, 4, 0.3, -0.2, 0.3, 5;
   model.joint = joint;
@@ -24,8 +24,8 @@ inline PartModel part(JointKind joint, int to = -1) {
 }
 
 /// A free hull in gravity-free space with a chain of a hinge, a ball and a slider, all in motion.
-inline VesselModel chain() {
-  VesselModel model = vessel();
+inline vessel::VesselModel chain() {
+  vessel::VesselModel model = vessel();
   model.v = {0.4, -0.2, 0.1};
   model.w = {0.2, -0.3, 0.25};
   model.parts = {part(JointKind::hinge), part(JointKind::ball, 0), part(JointKind::slider, 1), part(JointKind::weld, 0),
@@ -38,20 +38,20 @@ inline VesselModel chain() {
 }
 
 /// Weight of hull and parts.
-inline std::vector<Wrench> weights(const VesselModel& model) {
+inline std::vector<Wrench> weights(const vessel::VesselModel& model) {
   const auto weight = [](double mass) { return Wrench{{0, 0, -k_gravity * mass}, Vec3::Zero()}; };
   std::vector<Wrench> loads{weight(model.mass.mass)};
-  for (const PartModel& one : model.parts) loads.push_back(weight(one.mass));
+  for (const vessel::PartModel& one : model.parts) loads.push_back(weight(one.mass));
   return loads;
 }
 
 /// One step under loads on hull and parts, with impulses on them.
-inline VesselBlock step(VesselSystem& system, const std::vector<Wrench>& loads, double h,
-                        const std::vector<Wrench>& impulses = {}) {
+inline vessel::VesselBlock step(vessel::VesselSystem& system, const std::vector<Wrench>& loads, double h,
+                                const std::vector<Wrench>& impulses = {}) {
   const auto rest = [](const std::vector<Wrench>& all) { return std::vector<Wrench>(all.begin() + 1, all.end()); };
   const std::vector<Wrench> none(loads.size()), &given = impulses.empty() ? none : impulses;
   system.move_before_impulses(h);
-  VesselBlock block = system.begin(loads.front(), h, rest(loads));
+  vessel::VesselBlock block = system.begin(loads.front(), h, rest(loads));
   system.finish(given.front(), rest(given));
   return block;
 }
@@ -61,9 +61,9 @@ struct Totals {
   Vec6 momentum = Vec6::Zero();
   double kinetic = 0;
 };
-inline Totals totals(const VesselModel& model, const VesselSystem& system) {
+inline Totals totals(const vessel::VesselModel& model, const vessel::VesselSystem& system) {
   Totals sum;
-  const auto add = [&](double mass, const Mat3& inertia, const VesselState& state) {
+  const auto add = [&](double mass, const Mat3& inertia, const vessel::VesselState& state) {
     const Mat3 R = state.pose.q.toRotationMatrix();
     const Vec3 p = mass * state.v, spin = R * inertia * R.transpose() * state.w;
     sum.momentum.head<3>() += p;
@@ -77,13 +77,13 @@ inline Totals totals(const VesselModel& model, const VesselSystem& system) {
 }
 
 /// A fixed hull with two hinged bars that swing in its x-z plane; `theta`: of the scheme.
-inline VesselModel double_pendulum(std::optional<double> theta) {
-  VesselModel model;
+inline vessel::VesselModel double_pendulum(std::optional<double> theta) {
+  vessel::VesselModel model;
   model.fixed = true;
   model.theta = theta;
   model.pose_V.p = {3, -1, 2};
   model.pose_V.q = Quat(Eigen::AngleAxisd(0.6, Vec3::UnitZ()));
-  PartModel bar;
+  vessel::PartModel bar;
   bar.axis_V = Vec3::UnitY();
   bar.mass = 3;
   bar.inertia_B = Vec3(0.2, 0.3, 0.1).asDiagonal();
@@ -104,8 +104,8 @@ inline VesselModel double_pendulum(std::optional<double> theta) {
 
 /// Rates of (angle 1, angle 2 against bar 1, and their rates) of the double pendulum above: Lagrange's equations in the
 /// bars' angles to the vertical, as of any textbook.
-inline void double_pendulum_rates(const VesselModel& model, const VecX& y, VecX& dy) {
-  const PartModel &one = model.parts[0], &two = model.parts[1];
+inline void double_pendulum_rates(const vessel::VesselModel& model, const VecX& y, VecX& dy) {
+  const vessel::PartModel &one = model.parts[0], &two = model.parts[1];
   const double c1 = -one.in_V.p.z(), l = -two.point_V.z(), c2 = -(two.in_V.p.z() - two.point_V.z());
   const double a = y[0], b = y[0] + y[1], da = y[2], db = y[2] + y[3];
   const double coupling = two.mass * l * c2;

@@ -4,7 +4,7 @@
 #include "core/numerics/event_ode.h"
 #include "tests/core/vessel/tree/jointed_example.h"
 
-namespace nilas {
+namespace nilas::vessel {
 namespace {
 
 VecX state_of(const VesselSystem& system) {
@@ -16,13 +16,13 @@ VecX state_of(const VesselSystem& system) {
 
 /// The state at time t by CVODE, from the closed form of the rates.
 VecX exact(const VesselModel& model, double t) {
-  EventOde ode;
+  numerics::EventOde ode;
   ode.derivative = [&](double, const VecX& y, VecX& dy) { example::double_pendulum_rates(model, y, dy); };
-  OdeSettings settings;
+  numerics::OdeSettings settings;
   settings.relative = 1e-13;
   settings.absolute = VecX::Constant(4, 1e-13);
   VecX y = state_of(VesselSystem(model, 0));
-  OdeSolution solution(std::move(ode), settings, 0, y);
+  numerics::OdeSolution solution(std::move(ode), settings, 0, y);
   solution.follow(t, y);
   return y;
 }
@@ -129,4 +129,4 @@ TEST(JointSpring, IsStableAtAnyStiffness) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::vessel

@@ -3,7 +3,7 @@
 
 #include "tests/core/vessel/tree/jointed_example.h"
 
-namespace nilas {
+namespace nilas::vessel {
 namespace {
 
 constexpr double k_h = 0.01;
@@ -158,4 +158,4 @@ TEST(JointedRest, AsPlacedHasTheTareOfRest) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::vessel

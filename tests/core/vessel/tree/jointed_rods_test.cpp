@@ -4,7 +4,7 @@
 #include "core/numerics/event_ode.h"
 #include "tests/core/vessel/tree/rod_example.h"
 
-namespace nilas {
+namespace nilas::vessel {
 namespace {
 
 const std::vector<std::optional<double>> k_schemes{std::nullopt, 0.5};
@@ -63,14 +63,14 @@ TEST(JointedRods, SwingAsADoublePendulumWithoutMassInItsUpperBar) {
   bar.point_V = {0, 0, -length};
   bar.in_V.p = {0, 0, -length - offset};
   oracle.parts.push_back(bar);
-  EventOde ode;
+  numerics::EventOde ode;
   ode.derivative = [&](double, const VecX& y, VecX& dy) { example::double_pendulum_rates(oracle, y, dy); };
-  OdeSettings settings;
+  numerics::OdeSettings settings;
   settings.relative = 1e-13;
   settings.absolute = VecX::Constant(4, 1e-13);
   VecX y(4);
   y << a, b - a, da, db - da;
-  OdeSolution solution(std::move(ode), settings, 0, y);
+  numerics::OdeSolution solution(std::move(ode), settings, 0, y);
   solution.follow(t, y);
   const auto below = [](double angle, double l) { return Vec3(-l * std::sin(angle), 0, -l * std::cos(angle)); };
   const auto moving = [](double angle, double rate, double l) -> Vec3 {
@@ -291,4 +291,4 @@ TEST(JointedRods, AnAbandonedStepLeavesNothingBehind) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::vessel

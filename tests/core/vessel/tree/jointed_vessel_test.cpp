@@ -5,7 +5,7 @@
 #include "core/vessel/tree/jointed_tree.h"
 #include "tests/core/vessel/tree/jointed_example.h"
 
-namespace nilas {
+namespace nilas::vessel {
 namespace {
 
 const std::vector<std::optional<double>> k_schemes{std::nullopt, 0.5};
@@ -266,4 +266,4 @@ TEST(JointedVessel, ImpossiblePartsAreInputErrors) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::vessel

@@ -7,7 +7,7 @@
 #include "core/base/math.h"
 #include "core/vessel/tree/exponential_mode.h"
 
-namespace nilas {
+namespace nilas::vessel {
 namespace {
 
 constexpr double k_h = 0.01;
@@ -161,4 +161,4 @@ TEST(VesselExponentialMode, NumericalDampingSetsInBelowFourStepsPerPeriod) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::vessel

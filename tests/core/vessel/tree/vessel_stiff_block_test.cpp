@@ -5,7 +5,7 @@
 #include "core/vessel/tree/exponential_mode.h"
 #include "core/vessel/tree/stiff_block.h"
 
-namespace nilas {
+namespace nilas::vessel {
 namespace {
 
 MatX random_spd(RandomStream& random, int n) {
@@ -126,4 +126,4 @@ TEST(VesselStiffBlock, RefusesIndefiniteInput) {
 }
 
 }  // namespace
-}  // namespace nilas
+}  // namespace nilas::vessel

@@ -10,6 +10,7 @@
 namespace {
 
 using namespace nilas;
+using namespace nilas::compare;
 
 TEST(PooledVariance, OfTwinsAloneIsTheMeanSquareOfTheirDifferences) {
   for (const auto& settings : {std::vector<std::vector<double>>{}, {{1}, {2}}}) {

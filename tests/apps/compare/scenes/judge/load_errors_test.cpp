@@ -9,6 +9,7 @@
 namespace {
 
 using namespace nilas;
+using namespace nilas::compare;
 
 constexpr double k_nan = std::numeric_limits<double>::quiet_NaN();
 

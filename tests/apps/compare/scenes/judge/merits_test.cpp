@@ -12,6 +12,7 @@
 namespace {
 
 using namespace nilas;
+using namespace nilas::compare;
 
 constexpr double k_scale = 10;  // of the reference's load [N]
 

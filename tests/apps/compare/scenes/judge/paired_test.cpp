@@ -12,6 +12,7 @@
 namespace {
 
 using namespace nilas;
+using namespace nilas::compare;
 
 constexpr double k_unknown = std::numeric_limits<double>::infinity();
 constexpr double k_rounding = 1e-9;

@@ -8,6 +8,7 @@
 namespace {
 
 using namespace nilas;
+using namespace nilas::compare;
 
 /// A setting that ran well: time [s/s], error, and the floor above which the error is significant.
 Merit merit(std::size_t setting, double time, double error, double floor = 0.1) {

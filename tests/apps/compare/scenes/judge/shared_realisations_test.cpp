@@ -6,6 +6,7 @@
 namespace {
 
 using namespace nilas;
+using namespace nilas::compare;
 using Numbers = std::vector<int>;
 
 /// `counts`: settings with all realisations done, and with the first alone.

@@ -12,6 +12,7 @@
 namespace {
 
 using namespace nilas;
+using namespace nilas::compare;
 
 /// A scene of 60 s at 0.01 s whose first second costs 1 s and each further one 2 s, half of it in the solver.
 CostModel cost() {
@@ -237,7 +238,7 @@ TEST(Plan, GrowsByRealisationsOfTheSameRuns) {
 
 TEST(Realisation, ZeroIsTheSceneItselfAndATwinHasItsSeed) {
   EXPECT_EQ(realisation_overrides(7, {"", RunKind::grid, 0, 0, 0}, true),
-            (Overrides{{"seed/@value", "7"}, {"seed/@twin", "0"}}));
+            (scene::Overrides{{"seed/@value", "7"}, {"seed/@twin", "0"}}));
   EXPECT_EQ(realisation_overrides(7, {"", RunKind::grid, 3, 2, 0}, true)[0].second, "9");
   EXPECT_EQ(realisation_overrides(7, {"", RunKind::twin, 0, 2, 0}, true)[0].second, "9");
   EXPECT_NE(realisation_overrides(7, {"", RunKind::twin, 0, 2, 0}, true)[1].second,

@@ -12,22 +12,23 @@
 namespace {
 
 using namespace nilas;
+using namespace nilas::compare;
 using enum Simplification;
 
-Scene shipped(const std::string& name, const Overrides& more = {}) {
-  return read_scene(nilas_test::shipped_scene(name), more);
+scene::Scene shipped(const std::string& name, const scene::Overrides& more = {}) {
+  return scene::read_scene(nilas_test::shipped_scene(name), more);
 }
 
 /// The ablation of a shipped scene, as it is read for its run.
-Scene without(const Scene& scene, const Overrides& more = {}) {
+scene::Scene without(const scene::Scene& scene, const scene::Overrides& more = {}) {
   return read_with(scene, more, without_simplifications(scene));
 }
-Scene with(const Scene& scene, Simplification which, const Overrides& more = {}) {
+scene::Scene with(const scene::Scene& scene, Simplification which, const scene::Overrides& more = {}) {
   return read_with(scene, more, with_simplifications(scene, {which}));
 }
 
 TEST(Simplification, NoneOfTheOlderToolsIsLeftInItsOwnScene) {
-  const Scene bare = without(shipped("metrikin-2014.xml"));
+  const scene::Scene bare = without(shipped("metrikin-2014.xml"));
   EXPECT_EQ(name_of(bare.contact.law), "coulomb");
   EXPECT_EQ(name_of(bare.contact.solver), "auto");
   EXPECT_GT(bare.contact.tolerance, 0);
@@ -35,7 +36,7 @@ TEST(Simplification, NoneOfTheOlderToolsIsLeftInItsOwnScene) {
   EXPECT_EQ(name_of(bare.contact.detection), "continuous");
   EXPECT_TRUE(bare.contact.gyroscopic);
   EXPECT_EQ(name_of(bare.vessel->carriage->balance.kind), "six-cells");
-  const FractureScene& fracture = bare.fracture.value();
+  const scene::FractureScene& fracture = bare.fracture.value();
   EXPECT_EQ(name_of(fracture.crushing->model), "compliant");
   EXPECT_TRUE(fracture.crushing->between_floes);
   EXPECT_NEAR(fracture.crushing->clear_volume.value(), 6.4e-5, 1e-12) << "the cube of the thickness";
@@ -48,7 +49,7 @@ TEST(Simplification, NoneOfTheOlderToolsIsLeftInItsOwnScene) {
 }
 
 TEST(Simplification, EachIsPutBackAlone) {
-  const Scene scene = shipped("metrikin-2014.xml");
+  const scene::Scene scene = shipped("metrikin-2014.xml");
   EXPECT_EQ(name_of(with(scene, crushing_limit).fracture->crushing->model), "explicit");
   EXPECT_TRUE(with(scene, crushing_limit).fracture->crushing->between_floes);
   EXPECT_FALSE(with(scene, rigid_floes).fracture->crushing->between_floes);
@@ -60,12 +61,12 @@ TEST(Simplification, EachIsPutBackAlone) {
 }
 
 TEST(Simplification, WhatASceneSaysItselfStays) {
-  const Overrides own{{"fracture/crushing/@model", "pressure-area"},
-                      {"fracture/crushing/@clear_volume", "1e-3"},
-                      {"ice/vary[+]/@property", "thickness"},
-                      {"ice/vary[+]/@cov", "0.1"}};
-  const Scene scene = shipped("metrikin-2014.xml", own);
-  const Scene bare = without(scene, own);
+  const scene::Overrides own{{"fracture/crushing/@model", "pressure-area"},
+                             {"fracture/crushing/@clear_volume", "1e-3"},
+                             {"ice/vary[+]/@property", "thickness"},
+                             {"ice/vary[+]/@cov", "0.1"}};
+  const scene::Scene scene = shipped("metrikin-2014.xml", own);
+  const scene::Scene bare = without(scene, own);
   EXPECT_EQ(name_of(bare.fracture->crushing->model), "pressure-area");
   EXPECT_EQ(bare.fracture->crushing->clear_volume, 1e-3);
   ASSERT_EQ(bare.ice->vary.size(), 1u);
@@ -76,7 +77,7 @@ TEST(Simplification, WhatASceneSaysItselfStays) {
 }
 
 TEST(Simplification, HasARowOnlyWhereTheSceneHasWhatItConcerns) {
-  const Scene towing = shipped("towing.xml");
+  const scene::Scene towing = shipped("towing.xml");
   for (const Simplification which : {crushing_limit, rigid_floes, no_extrusion, geometric_splitting, straight_cracks,
                                      uniform_ice, no_rolling, uniform_inertia}) {
     EXPECT_FALSE(no_effect(which, towing).empty()) << name_of(which);
@@ -97,7 +98,7 @@ TEST(Simplification, HasARowOnlyWhereTheSceneHasWhatItConcerns) {
 
 /// Neither is allowed there, so that "all together" runs without them.
 TEST(Simplification, AVesselOnRodsKeepsItsGyroscopicTorqueAndItsBalance) {
-  const Scene tied = shipped(
+  const scene::Scene tied = shipped(
       "towing.xml", {{"vessel/rod[+]/@name", "tie"}, {"vessel/rod[+]/@at", "1 0 0.1"}, {"vessel/rod[+]/@to", "1 9 0"}});
   for (const Simplification which : {no_gyroscopic, prismatic}) {
     EXPECT_FALSE(no_effect(which, tied).empty()) << name_of(which);
@@ -106,17 +107,17 @@ TEST(Simplification, AVesselOnRodsKeepsItsGyroscopicTorqueAndItsBalance) {
 }
 
 TEST(Simplification, RollingFrictionIsTakenFromEveryPair) {
-  const Overrides rolling{{"contact/friction[1]/@rolling", "0.01"}, {"contact/friction[2]/@spinning", "0.02"}};
-  const Scene scene = shipped("towing.xml", rolling);
+  const scene::Overrides rolling{{"contact/friction[1]/@rolling", "0.01"}, {"contact/friction[2]/@spinning", "0.02"}};
+  const scene::Scene scene = shipped("towing.xml", rolling);
   EXPECT_EQ(without(scene, rolling).contact.friction.at(0).rolling, 0.01);
-  const Scene simple = with(scene, no_rolling, rolling);
+  const scene::Scene simple = with(scene, no_rolling, rolling);
   EXPECT_EQ(simple.contact.friction.at(0).rolling, 0);
   EXPECT_EQ(simple.contact.friction.at(1).spinning, 0);
 }
 
 TEST(Simplification, UniformInertiaIsThatOfTheHullByDefault) {
-  const Overrides own{{"vessel/mass/@inertia", "400 4000 4000 0 0 0"}};
-  const Scene scene = shipped("towing.xml", own);
+  const scene::Overrides own{{"vessel/mass/@inertia", "400 4000 4000 0 0 0"}};
+  const scene::Scene scene = shipped("towing.xml", own);
   const Vec6 entries = with(scene, uniform_inertia, own).vessel->mass.inertia.value();
   // as `nilas run` writes it of the scene as shipped: docs/reference/outputs.md, vessel.inertia_kg_m2
   EXPECT_NEAR(entries[0], 210.98131338083203, 1e-6);

@@ -11,6 +11,7 @@
 namespace {
 
 using namespace nilas;
+using namespace nilas::compare;
 
 /// Loads of 100 N that chance makes differ by a variance of 8 N^2, of `realisations` realisations of two settings.
 struct Case {

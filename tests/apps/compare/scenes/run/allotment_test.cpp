@@ -12,6 +12,7 @@
 namespace {
 
 using namespace nilas;
+using namespace nilas::compare;
 
 constexpr double k_start = 0, k_end = 10, k_ice = 2.5;  // simulated [s]
 

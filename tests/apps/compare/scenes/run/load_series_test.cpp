@@ -10,6 +10,7 @@
 namespace {
 
 using namespace nilas;
+using namespace nilas::compare;
 
 TEST(LoadSeries, KeepsTheCourseLoadsOfARunToTheBit) {
   const test::ScratchFolder folder;

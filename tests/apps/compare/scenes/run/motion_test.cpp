@@ -10,6 +10,7 @@
 namespace {
 
 using namespace nilas;
+using namespace nilas::compare;
 
 constexpr const char* k_header =
     "time_s,id,name,x_m,y_m,z_m,qw,qx,qy,qz,vx_m_s,vy_m_s,vz_m_s,wx_rad_s,wy_rad_s,wz_rad_s\n";

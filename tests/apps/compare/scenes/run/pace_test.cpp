@@ -6,6 +6,7 @@
 namespace {
 
 using namespace nilas;
+using namespace nilas::compare;
 
 PlannedRun run(const std::string& id, RunKind kind, std::size_t setting, int realisation, double estimate) {
   return {id, kind, setting, realisation, estimate};

@@ -1,0 +1,54 @@
+"""Tells which sources of the product declare things in another namespace than that of their folder.
+
+A room `a/b` has the namespace nilas::b, a folder below it that of its room; ROOMS lists the exceptions. A block of
+another namespace may only name types of another room (`struct X;`). Other libraries' namespaces are not looked at.
+"""
+import pathlib
+import re
+import sys
+
+ROOT = pathlib.Path(__file__).parents[2]
+# Vectors, errors and choices of a scene are in every room's mouth: they need no name of a room.
+ROOMS = {
+    "core/base": "nilas",
+    "core/choices": "nilas",
+    "contact": "nilas::contact",
+    "contact/challenge": "nilas::challenge",
+    "contact/detect": "nilas::detect",
+    "contact/solvers": "nilas::solvers",
+    "hydro": "nilas::hydro",
+    "fracture": "nilas::fracture",
+    "apps/nilas": "nilas::commands",
+}
+BLOCK = re.compile(r"^namespace (nilas[\w:]*) \{\n(.*?)^\}  // namespace nilas", re.M | re.S)
+NAMED_ONLY = re.compile(r"(?:\s*(?:struct|class) \w+;)*\s*")
+
+
+def namespace_of(folder):
+    """Returns the namespace of a folder, given relative to the root."""
+    for path in (folder, *folder.parents):
+        if str(path) in ROOMS:
+            return ROOMS[str(path)]
+    return "nilas::" + folder.parts[1]
+
+
+def faults():
+    for top in ("core", "contact", "hydro", "fracture", "apps"):
+        for file in sorted((ROOT / top).rglob("*")):
+            if file.suffix not in (".h", ".cpp") or "peers" in file.parts:
+                continue
+            name = file.relative_to(ROOT)
+            wanted = namespace_of(name.parent)
+            for found, content in BLOCK.findall(file.read_text()):
+                if found != wanted and not found.startswith(wanted + "::") and not NAMED_ONLY.fullmatch(content):
+                    yield f"{name}: namespace {found} should be {wanted}"
+
+
+def main():
+    found = list(faults())
+    print("\n".join(found) or "Namespaces are those of the folders.")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
