@@ -34,9 +34,9 @@ void print_call(const char* name, const Call& call) {
 
 int main() {
   using namespace nilas;
-  print_construction("EdgeLoad", [] { fracture::EdgeLoad(0.3); });
-  print_construction("WedgeTable", [] { WedgeTable(TipLoad::pressure); });
-  print_construction("SplittingTable", [] { fracture::SplittingTable(); });
+  print_construction("EdgeLoad", [] { const fracture::EdgeLoad load(0.3); });
+  print_construction("WedgeTable", [] { const fracture::WedgeTable table(fracture::TipLoad::pressure); });
+  print_construction("SplittingTable", [] { const fracture::SplittingTable table; });
   const fracture::EdgeLoad edge(0.3);
   const fracture::WedgeTable wedge(fracture::TipLoad::pressure);
   const fracture::SplittingTable splitting;

@@ -116,9 +116,10 @@ int main(int argc, char** argv) {
     }
   }
   std::vector<Row> rows;
-  for (const auto& [name, changes] : settings)
-    rows.push_back(
-        {name, with_twins(count - 1, 1, [&](std::uint64_t twin) { return run(file, until, changes, twin); })});
+  for (const auto& setting : settings)
+    rows.push_back({setting.first, with_twins(count - 1, 1, [&](std::uint64_t twin) {
+                      return run(file, until, setting.second, twin);
+                    })});
   std::printf(
       "| settings, load | mean of the runs [N] | they scatter by [N] | steps short | stated: solver [N] | chance [N] | "
       "+- [N] | said \"at least\" | hold the mean | hold that of the last row "

@@ -131,7 +131,7 @@ int run(const fs::path& folder, const std::string& floes, const std::string& swe
     const sim::StepRecord record = simulation.step();
     const double total = peers::now_ms() - t0;
     if (n < peers::k_first_measured) continue;
-    const auto ms = [&](sim::Phase phase) { return record.ms[phase]; };
+    const auto ms = [&](sim::Phase phase) { return record.ms[static_cast<std::size_t>(phase)]; };
     window.push_back(
         {ms(sim::Phase::detection),
          ms(sim::Phase::assembly) + ms(sim::Phase::solver) + ms(sim::Phase::integration) + ms(sim::Phase::output),

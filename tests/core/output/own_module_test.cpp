@@ -3,12 +3,16 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
+#include <memory>
 
 #include "core/output/tables/steps_csv.h"
+#include "core/output/tables/vessel_channels.h"
 #include "core/scene/read/read_scene.h"
 #include "core/sim/simulation.h"
 #include "tests/core/output/push_example.h"
+#include "tests/core/sim/scene_rig.h"
 #include "tests/support/scratch_folder.h"
 
 namespace {
@@ -90,6 +94,46 @@ TEST_F(OwnModule, IsNotThereWhereNobodyListsIt) {
   sim::Simulation plain(scene_, 1, warnings_);
   EXPECT_TRUE(plain.info().module_columns.empty());
   EXPECT_TRUE(plain.info().work_names.empty());
+}
+
+/// A tug pulls every body, the vessel too, 2 m above its centre of mass.
+class Tug : public bodies::ForceModule {
+ public:
+  std::string name() const override { return "tug"; }
+  void add_forces(const bodies::Bodies& /*bodies*/, double /*t*/, bodies::Wrenches& out) override {
+    for (auto& load : out) load += {Vec3(k_push, 0, 0), Vec3(0, 2 * k_push, 0)};
+  }
+};
+
+/// The pull is a load of its own in vessel.csv. It is no load of the water, whose drag has the columns hydro_*: without
+/// a current a hull at rest has none. Both with time steps and between events.
+TEST(OwnModuleOnAVessel, HasColumnsBesideThoseOfTheWater) {
+  for (const std::string integrator : {"semi-implicit-euler", "moreau", "reference"}) {
+    const test::SceneRig rig(test::steps_of(0.01) + test::k_no_weight + "<contact integrator='" + integrator + "'/>" +
+                             "<water density='1000' level='5'/><hydro><drag form='1'/></hydro>" +
+                             test::box_vessel("position='0 0 0' fixed='true'", ""));
+    sim::ModuleList modules = sim::scene_modules();
+    modules.push_back({"tug", true, [](const sim::ModuleSources&) -> sim::BuiltModule {
+                         return {std::make_unique<Tug>(), "the test"};
+                       }});
+    WarningCounts warnings(make_logger("off", ""));
+    sim::Simulation run(rig.scene, 1, warnings, modules);
+    ASSERT_EQ(run.info().vessel_loads, std::vector<std::string>{"tug"}) << integrator;
+    const sim::StepRecord record = run.step();
+    const VesselChannels channels(run.info());
+    std::vector<double> values;
+    channels.read(*record.vessel, values);
+    const auto value = [&](const std::string& name) {
+      const auto& names = channels.names();
+      const auto found = std::find(names.begin(), names.end(), name);
+      return found == names.end() ? std::nan("") : values[static_cast<std::size_t>(found - names.begin())];
+    };
+    EXPECT_NEAR(value("tug_fx_N"), k_push, 1e-12) << integrator;
+    EXPECT_NEAR(value("tug_my_Nm"), 2 * k_push, 1e-12) << integrator;
+    EXPECT_NEAR(value("hydro_fx_N"), 0, 1e-12) << integrator;
+    const std::vector<std::string> loads = channels.load_names();
+    EXPECT_EQ(std::count(loads.begin(), loads.end(), "tug_fz_N"), 1) << integrator;
+  }
 }
 
 }  // namespace

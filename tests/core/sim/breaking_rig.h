@@ -41,7 +41,7 @@ inline std::string bow(const std::string& sheet = "fixed='true' outline='0 -5 9 
          "/></ice>";
 }
 
-inline std::string fracture(const std::string& models = "<bending/>", const std::string& more = "") {
+inline std::string breaking_ice(const std::string& models = "<bending/>", const std::string& more = "") {
   return "<fracture flexural_strength='5e4' compressive_strength='2e5' min_area='1e-4' " + more +
          "><crushing model='explicit'/>" + models + "</fracture>";
 }

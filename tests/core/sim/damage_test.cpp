@@ -33,7 +33,7 @@ std::pair<int, double> loads_borne(double depth, const std::string& damage) {
   folder.write("track.csv", bow_that_comes_back(depth, 10));
   std::string content = k_sheet_and_bow;
   content.replace(content.find("track.csv"), 9, (folder / "track.csv").string());
-  BreakingRig rig(content + fracture("<bending/>" + damage), 0.01);
+  BreakingRig rig(content + breaking_ice("<bending/>" + damage), 0.01);
   for (int k = 0; k < static_cast<int>(10 * k_period / 0.01); ++k) {
     const StepRecord record = rig.simulation.step();
     if (!record.broken.empty()) return {static_cast<int>(record.t / k_period), record.broken[0].ratio};

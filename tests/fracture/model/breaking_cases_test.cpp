@@ -36,7 +36,7 @@ TEST(BreakingCases, TwoFloesBreakInOneStep) {
       "<ice thickness='0.05' density='900' youngs_modulus='1e8'>"
       "<floe breakable='true' fixed='true' outline='0 0 9 0 9 5 0 5'/>"
       "<floe breakable='true' fixed='true' outline='0 -5 9 -5 9 0 0 0'/></ice>" +
-      fracture());
+      breaking_ice());
   const double mass = mass_of_ice(rig.bodies());
   const sim::StepRecord record = rig.until_broken();
   ASSERT_EQ(record.broken.size(), 2u);
@@ -79,7 +79,7 @@ TEST(BreakingCases, AFloeThatBecomesAllBrashIsGone) {
 
 /// The account of a break closes whatever moves the bodies, and the ice breaks at about the same load.
 TEST(BreakingCases, MoreauBreaksAsSemiImplicitEulerDoes) {
-  const std::string scene = bow("outline='0 -2 3 -1.5 3.5 1.5 0.1 2' velocity='-0.3 0.05 0'") + fracture();
+  const std::string scene = bow("outline='0 -2 3 -1.5 3.5 1.5 0.1 2' velocity='-0.3 0.05 0'") + breaking_ice();
   BreakingRig euler(scene, 2.5e-3), moreau(scene, 2.5e-3, 1, "integrator='moreau'");
   const double mass = mass_of_ice(moreau.bodies());
   const sim::StepRecord expected = euler.until_broken(), record = moreau.until_broken();
@@ -103,7 +103,7 @@ TEST(BreakingCases, AnImpactThatCutsTheStepBreaksIce) {
         "<body shape='sphere' radius='0.05' mass='5' position='0.06 0 0.18' velocity='0 0 -6'/>"
         "<ice thickness='0.05' density='900' youngs_modulus='1e8'><floe breakable='true' outline='0 -2 3 -2 "
         "3 2 0 2'/></ice>" +
-            fracture(),
+            breaking_ice(),
         0.01, 1, contact);
     const double mass = mass_of_ice(rig.bodies());
     const sim::StepRecord record = rig.until_broken(20);
@@ -132,7 +132,7 @@ TEST(BreakingCases, ABoxGoesOnCrushingAnotherFloe) {
            "<floe breakable='true' fixed='true' outline='0 -5 9 -5 9 1.5 0 1.5'/>"
            "<floe breakable='true' fixed='true' outline='0 2 3 2 3 4 0 4'/></ice>"
            "<body name='box' shape='box' size='0.5 0.5 0.5' mass='60' position='-0.251 3 0.01' velocity='0.5 0 0'/>" +
-           fracture();
+           breaking_ice();
   };
   const std::string euler = "integrator='semi-implicit-euler'";
   BreakingRig breaks(scene(-0.02), 0.01, 1, euler), whole(scene(-3), 0.01, 1, euler);

@@ -23,7 +23,7 @@ using Rig = BreakingRig;
 /// The load that the wedges bear, within its growth in a step.
 TEST(Breaking, ASheetBendsAtTheLoadOfItsWedges) {
   for (const double step : {0.01, 0.005, 0.0025, 0.00125}) {
-    Rig rig(bow() + fracture(), step);
+    Rig rig(bow() + breaking_ice(), step);
     const sim::StepRecord record = rig.until_broken();
     ASSERT_EQ(record.broken.size(), 1u);
     const FractureEvent& event = record.broken[0];
@@ -40,7 +40,7 @@ TEST(Breaking, ASheetBendsAtTheLoadOfItsWedges) {
 }
 
 TEST(Breaking, WedgesFloatFreeAndTheSheetStaysFixed) {
-  Rig rig(bow() + fracture());
+  Rig rig(bow() + breaking_ice());
   const double mass = rig.bodies().mass[1];
   const sim::StepRecord record = rig.until_broken();
   const bodies::Bodies& bodies = rig.bodies();
@@ -74,14 +74,14 @@ TEST(Breaking, ALoadInTheMiddleOfASheetBreaksNothing) {
       "<body shape='sphere' radius='0.2' mass='200' position='0 0 0.24' velocity='0.01 0 0'/>"
       "<ice thickness='0.05' density='900' youngs_modulus='1e8'><floe breakable='true' fixed='true' outline='-10 -10 "
       "10 -10 10 10 -10 10'/></ice>" +
-      fracture("<bending/><splitting model='lefm'/>"));
+      breaking_ice("<bending/><splitting model='lefm'/>"));
   for (int k = 0; k < 60; ++k) EXPECT_TRUE(rig.simulation.step().broken.empty());
 }
 
 /// A floe breaks while it moves and turns: momentum and energy are conserved.
 TEST(Breaking, AFreeFloeKeepsMassMomentumAndEnergy) {
   Rig rig(bow("outline='0 -2 3 -1.5 3.5 1.5 0.1 2' velocity='-0.3 0.05 0'") +
-          "<body shape='sphere' radius='0.05' mass='2' position='2.9 1 0.08' velocity='0 0 -0.5'/>" + fracture());
+          "<body shape='sphere' radius='0.05' mass='2' position='2.9 1 0.08' velocity='0 0 -0.5'/>" + breaking_ice());
   const double mass = rig.bodies().mass[1];
   sim::StepRecord before, record;
   do {
@@ -125,7 +125,7 @@ TEST(Breaking, SmallPiecesAreBrashOrStopIt) {
 /// The bow in the middle of a square floe opens it with F_Y on each side.
 TEST(Breaking, LefmSplitsAFloeThatIsHeld) {
   Rig rig(bow("outline='0 -1 2 -1 2 1 0 1' fixed='true'") +
-          fracture("<splitting model='lefm'/>", "fracture_toughness='2e3'"));
+          breaking_ice("<splitting model='lefm'/>", "fracture_toughness='2e3'"));
   const sim::StepRecord record = rig.until_broken();
   ASSERT_EQ(record.broken.size(), 1u);
   const FractureEvent& event = record.broken[0];
@@ -150,8 +150,8 @@ TEST(Breaking, AFloeSplitsAlongItsWeakLine) {
       content.find("</ice>"), 6,
       "<weak_line points='0 0 2 0.6' strength='0.5'/><weak_line points='1.5 0.8 1.9 0.8' strength='0.7'/></ice>");
   const auto models = [](const std::string& path) {
-    return fracture("<splitting model='lefm'/><cracks path='" + path + "' segment_thicknesses='1'/>",
-                    "fracture_toughness='2e3'");
+    return breaking_ice("<splitting model='lefm'/><cracks path='" + path + "' segment_thicknesses='1'/>",
+                        "fracture_toughness='2e3'");
   };
   Rig straight(content + models("straight"));
   const sim::StepRecord passed_by = straight.until_broken();
@@ -176,7 +176,7 @@ TEST(Breaking, PiecesKeepTheStrengthsOfTheirPlaces) {
   const std::string vary = "<vary property='flexural_strength' cov='0.3' correlation_length='0.5'/></ice>";
   std::string content = bow();
   content.replace(content.find("</ice>"), 6, vary);
-  Rig rig(content + fracture());
+  Rig rig(content + breaking_ice());
   rig.until_broken();
   // the same again, saved and restored: pieces find their strengths by their places in the scene's floe
   State state;
@@ -200,7 +200,7 @@ TEST(Breaking, ASheetOfFrozenFloesBreaksAlongItsSeams) {
       "<ice thickness='0.05' density='900' youngs_modulus='1e8'><field kind='voronoi' region='0 -3 6 3' "
       "concentration='1' breakable='true' fixed='true'><size distribution='fixed' mean='0.5'/>"
       "<bond strength='0.3'/></field></ice>" +
-      fracture("<bending/><cracks path='curved'/>");
+      breaking_ice("<bending/><cracks path='curved'/>");
   Rig rig(frozen);
   const double mass = rig.bodies().mass[1];
   sim::StepRecord record = rig.until_broken();
@@ -225,7 +225,7 @@ TEST(Breaking, ASheetOfFrozenFloesBreaksAlongItsSeams) {
 TEST(Breaking, IceThatNothingBreaksMovesAsIfItCouldNot) {
   const std::string floe = bow("outline='0 -2 3 -2 3 2 0 2'");
   const auto hashes = [&](const std::string& models) {
-    Rig rig(floe + fracture(models).replace(fracture().find("5e4"), 3, "5e9"));
+    Rig rig(floe + breaking_ice(models).replace(breaking_ice().find("5e4"), 3, "5e9"));
     std::vector<std::uint64_t> all;
     for (int k = 0; k < 100; ++k) all.push_back(rig.simulation.step().state_hash);
     return all;
@@ -234,7 +234,7 @@ TEST(Breaking, IceThatNothingBreaksMovesAsIfItCouldNot) {
 }
 
 TEST(Breaking, ThreadsChangeNoBit) {
-  Rig one(bow() + fracture("<bending/><splitting/>")), two(bow() + fracture("<bending/><splitting/>"), 0.01, 2);
+  Rig one(bow() + breaking_ice("<bending/><splitting/>")), two(bow() + breaking_ice("<bending/><splitting/>"), 0.01, 2);
   std::size_t broken = 0;
   for (int k = 0; k < 200; ++k) {
     const sim::StepRecord a = one.simulation.step(), b = two.simulation.step();
