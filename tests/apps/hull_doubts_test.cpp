@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 
 #include "core/hull/hull_axes.h"
-#include "tests/apps/write_obj.h"
 #include "tests/core/hull/hull_family.h"
 #include "tests/support/program.h"
+#include "tests/support/write_obj.h"
 
 namespace {
 

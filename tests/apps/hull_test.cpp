@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 
 #include "core/geometry/mesh.h"
-#include "tests/apps/write_obj.h"
 #include "tests/core/mesh/hull_shapes.h"
 #include "tests/support/program.h"
+#include "tests/support/write_obj.h"
 
 namespace {
 

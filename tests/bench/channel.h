@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-#include "tests/support/problem_factory.h"
+#include "tests/support/problems/problem_factory.h"
 
 namespace nilas::bench {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "core/base/error.h"
-#include "tests/support/cone_problems.h"
+#include "tests/support/problems/cone_problems.h"
 #include "tests/support/refusal.h"
 
 namespace nilas::contact {

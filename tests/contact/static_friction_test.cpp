@@ -7,7 +7,7 @@
 
 #include "contact/problem/row_of.h"
 #include "contact/registry.h"
-#include "tests/support/cone_problems.h"
+#include "tests/support/problems/cone_problems.h"
 
 namespace nilas::contact {
 namespace {

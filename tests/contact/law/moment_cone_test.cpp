@@ -8,7 +8,7 @@
 #include "contact/fclib/fclib_io.h"
 #include "contact/registry.h"
 #include "core/base/error.h"
-#include "tests/support/problem_factory.h"
+#include "tests/support/problems/problem_factory.h"
 #include "tests/support/scratch_folder.h"
 
 namespace nilas::contact {

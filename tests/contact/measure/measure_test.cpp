@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "tests/support/cone_problems.h"
-#include "tests/support/problem_factory.h"
+#include "tests/support/problems/cone_problems.h"
+#include "tests/support/problems/problem_factory.h"
 
 namespace nilas::contact {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <numeric>
 
-#include "tests/support/problem_factory.h"
+#include "tests/support/problems/problem_factory.h"
 
 namespace nilas::contact {
 namespace {

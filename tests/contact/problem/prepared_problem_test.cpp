@@ -5,7 +5,7 @@
 #include "contact/measure/measure.h"
 #include "contact/problem/islands.h"
 #include "core/base/error.h"
-#include "tests/support/problem_factory.h"
+#include "tests/support/problems/problem_factory.h"
 
 namespace nilas::contact {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "contact/problem/mass_inverse.h"
 #include "core/base/error.h"
-#include "tests/support/problem_factory.h"
+#include "tests/support/problems/problem_factory.h"
 #include "tests/support/refusal.h"
 
 namespace nilas::contact {

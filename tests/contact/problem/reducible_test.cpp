@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "contact/registry.h"
-#include "tests/support/problem_factory.h"
+#include "tests/support/problems/problem_factory.h"
 
 namespace nilas::contact {
 namespace {

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "contact/registry.h"
-#include "tests/support/cone_problems.h"
-#include "tests/support/problem_changes.h"
+#include "tests/support/problems/cone_problems.h"
+#include "tests/support/problems/problem_changes.h"
 #include "tests/support/test_name.h"
 
 namespace nilas::solvers {

@@ -10,9 +10,9 @@
 #include "contact/problem/row_of.h"
 #include "contact/solvers/nsgs.h"
 #include "tests/contact/fclib/recorded_problems.h"
-#include "tests/support/bad_problems.h"
-#include "tests/support/cone_problems.h"
-#include "tests/support/problem_factory.h"
+#include "tests/support/problems/bad_problems.h"
+#include "tests/support/problems/cone_problems.h"
+#include "tests/support/problems/problem_factory.h"
 
 namespace nilas::solvers {
 namespace {

@@ -1,5 +1,5 @@
 /// Statuses of every solver for problems that have no solution, or that it cannot take: one table for all.
-#include "tests/support/bad_problems.h"
+#include "tests/support/problems/bad_problems.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include "contact/solvers/admm.h"
 #include "contact/solvers/continuation.h"
 #include "contact/solvers/with_retry.h"
-#include "tests/support/problem_factory.h"
+#include "tests/support/problems/problem_factory.h"
 #include "tests/support/test_name.h"
 
 namespace nilas::solvers {
@@ -54,7 +54,7 @@ struct BadProblem {
 };
 
 std::vector<BadProblem> bad_problems() {
-  using enum SolveStatus;
+  using enum contact::SolveStatus;
   const auto shared = test::coupled_pair(0);
   return {
       // A solution exists, but W has the eigenvalue -2.

@@ -8,7 +8,7 @@
 #include "contact/solvers/ipm.h"
 #include "contact/solvers/shared/second_order_cone.h"
 #include "core/base/error.h"
-#include "tests/support/cone_problems.h"
+#include "tests/support/problems/cone_problems.h"
 
 namespace nilas::solvers {
 namespace {

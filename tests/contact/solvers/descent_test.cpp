@@ -9,8 +9,8 @@
 #include "contact/solvers/enumerate.h"
 #include "contact/solvers/nsgs.h"
 #include "core/base/error.h"
-#include "tests/support/problem_changes.h"
-#include "tests/support/problem_factory.h"
+#include "tests/support/problems/problem_changes.h"
+#include "tests/support/problems/problem_factory.h"
 
 namespace nilas::solvers {
 namespace {

@@ -10,8 +10,8 @@
 
 #include "contact/registry.h"
 #include "core/base/error.h"
-#include "tests/support/problem_changes.h"
-#include "tests/support/problem_factory.h"
+#include "tests/support/problems/problem_changes.h"
+#include "tests/support/problems/problem_factory.h"
 #include "tests/support/test_name.h"
 
 namespace nilas::solvers {

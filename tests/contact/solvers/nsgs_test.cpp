@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "tests/contact/solvers/contraction.h"
-#include "tests/support/problem_changes.h"
-#include "tests/support/problem_factory.h"
+#include "tests/support/problems/problem_changes.h"
+#include "tests/support/problems/problem_factory.h"
 
 namespace nilas::solvers {
 namespace {

@@ -8,8 +8,8 @@
 #include "contact/problem/row_of.h"
 #include "contact/registry.h"
 #include "contact/solvers/shared/colouring.h"
-#include "tests/support/problem_changes.h"
-#include "tests/support/problem_factory.h"
+#include "tests/support/problems/problem_changes.h"
+#include "tests/support/problems/problem_factory.h"
 
 namespace nilas::solvers {
 namespace {
@@ -88,7 +88,7 @@ std::vector<contact::ContactProblem> subjects() {
 class OrderFree : public testing::TestWithParam<const char*> {
  protected:
   contact::ContactSolution solve(const contact::ContactProblem& problem) const {
-    return nilas::solve(problem, GetParam());
+    return nilas::solvers::solve(problem, GetParam());
   }
 };
 INSTANTIATE_TEST_SUITE_P(Solvers, OrderFree, testing::Values("eg-order-free", "newton-order-free"),

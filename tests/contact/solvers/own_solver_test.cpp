@@ -5,7 +5,7 @@
 #include "contact/solvers/nsgs.h"
 #include "core/base/error.h"
 #include "tests/contact/solvers/jacobi_example.h"
-#include "tests/support/cone_problems.h"
+#include "tests/support/problems/cone_problems.h"
 
 namespace nilas::solvers {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "contact/solvers/pgs.h"
 #include "tests/contact/solvers/contraction.h"
-#include "tests/support/problem_factory.h"
+#include "tests/support/problems/problem_factory.h"
 
 namespace nilas::solvers {
 namespace {

@@ -5,8 +5,8 @@
 
 #include "contact/problem/islands.h"
 #include "contact/solvers/pgs.h"
-#include "tests/support/problem_changes.h"
-#include "tests/support/problem_factory.h"
+#include "tests/support/problems/problem_changes.h"
+#include "tests/support/problems/problem_factory.h"
 
 namespace nilas::solvers {
 namespace {

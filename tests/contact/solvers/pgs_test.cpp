@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "core/base/error.h"
-#include "tests/support/cone_problems.h"
+#include "tests/support/problems/cone_problems.h"
 
 namespace nilas::solvers {
 namespace {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "contact/registry.h"
-#include "tests/support/cone_problems.h"
+#include "tests/support/problems/cone_problems.h"
 
 namespace nilas::solvers {
 namespace {

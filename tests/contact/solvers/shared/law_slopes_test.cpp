@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "contact/law/law_map.h"
-#include "tests/support/problem_factory.h"
+#include "tests/support/problems/problem_factory.h"
 
 namespace nilas::solvers {
 namespace {

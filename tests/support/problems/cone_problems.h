@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "contact/problem/solution.h"
-#include "tests/support/problem_factory.h"
+#include "tests/support/problems/problem_factory.h"
 
 namespace nilas::test {
 
