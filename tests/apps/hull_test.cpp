@@ -58,12 +58,12 @@ TEST(HullCommand, FiveShapesArePreparedAndFloatInIce) {
     double low_volume, high_volume;
   };
   const double semi = nilas::mesh::semisubmersible_volume(16),
-               both = geometry::signed_volume(ship) + geometry::signed_volume(bulb);
+               both = nilas::geometry::signed_volume(ship) + nilas::geometry::signed_volume(bulb);
   const std::vector<Case> cases{
       {"wedge", {wedge}, nilas::mesh::k_wedge_volume, nilas::mesh::k_wedge_volume},
-      {"cone", {cone}, geometry::signed_volume(cone), geometry::signed_volume(cone)},
+      {"cone", {cone}, nilas::geometry::signed_volume(cone), nilas::geometry::signed_volume(cone)},
       {"moonpool", {pool}, nilas::mesh::k_moonpool_volume, nilas::mesh::k_moonpool_volume},
-      {"bulb", {ship, bulb}, geometry::signed_volume(ship), both},
+      {"bulb", {ship, bulb}, nilas::geometry::signed_volume(ship), both},
       {"semi", nilas::mesh::semisubmersible_shells(16), semi, semi},
   };
   for (const auto& c : cases) {
@@ -87,7 +87,7 @@ TEST(HullCommand, AHundredThousandTrianglesSomeOfThemWrong) {
   const ScratchFolder folder;
   TriangleMesh hull = nilas::mesh::bulb_mesh({2, 0, 0.3}, {2, 0.5, 0.3}, 160);
   ASSERT_GT(hull.triangles.size(), 100000u);
-  const double volume = geometry::signed_volume(hull);
+  const double volume = nilas::geometry::signed_volume(hull);
   for (std::size_t k = 500; k < hull.triangles.size(); k += 1000) std::swap(hull.triangles[k][0], hull.triangles[k][1]);
   for (std::size_t k = 5; k > 0; --k)  // small holes
     hull.triangles.erase(hull.triangles.begin() + static_cast<std::ptrdiff_t>(20000 * k));

@@ -82,7 +82,7 @@ TEST(Verdict, WhatIsNotANumberFails) {
 TEST(Selection, ThreadsGiveTheSameRows) {
   Selection some;
   some.cases = {"A3", "D41"};
-  const auto one = verify(some, 1, {}), two = verify(some, 2, {});
+  const auto one = nilas::verify::verify(some, 1, {}), two = nilas::verify::verify(some, 2, {});
   ASSERT_EQ(one.size(), two.size());
   for (std::size_t k = 0; k < one.size(); ++k) {
     EXPECT_EQ(one[k].measured, two[k].measured);
@@ -91,9 +91,9 @@ TEST(Selection, ThreadsGiveTheSameRows) {
 }
 
 TEST(Selection, WhatIsUnknownIsNamed) {
-  EXPECT_THROW(verify({{"Z9"}, {}, {}}, 1, {}), InputError);
-  EXPECT_THROW(verify({{}, {"newtn"}, {}}, 1, {}), InputError);
-  EXPECT_THROW(verify({{"D35"}, {"newton"}, {}}, 1, {}), InputError);
+  EXPECT_THROW(nilas::verify::verify({{"Z9"}, {}, {}}, 1, {}), InputError);
+  EXPECT_THROW(nilas::verify::verify({{}, {"newtn"}, {}}, 1, {}), InputError);
+  EXPECT_THROW(nilas::verify::verify({{"D35"}, {"newton"}, {}}, 1, {}), InputError);
 }
 
 }  // namespace
