@@ -105,13 +105,13 @@ class Tug : public bodies::ForceModule {
   }
 };
 
-/// The pull is a load of its own in vessel.csv. It is no load of the water, whose drag has the columns hydro_*: without
-/// a current a hull at rest has none. Both with time steps and between events.
+/// The pull is a load of its own in vessel.csv, with time steps and between events. It is no load of the water: within
+/// a step the hull's fore end reaches 2e-3 m/s, where the drag on about 1 m^2 stays below 0.01 N.
 TEST(OwnModuleOnAVessel, HasColumnsBesideThoseOfTheWater) {
   for (const std::string integrator : {"semi-implicit-euler", "moreau", "reference"}) {
     const test::SceneRig rig(test::steps_of(0.01) + test::k_no_weight + "<contact integrator='" + integrator + "'/>" +
                              "<water density='1000' level='5'/><hydro><drag form='1'/></hydro>" +
-                             test::box_vessel("position='0 0 0' fixed='true'", ""));
+                             test::box_vessel("position='0 0 0'", ""));
     sim::ModuleList modules = sim::scene_modules();
     modules.push_back({"tug", true, [](const sim::ModuleSources&) -> sim::BuiltModule {
                          return {std::make_unique<Tug>(), "the test"};
@@ -128,9 +128,9 @@ TEST(OwnModuleOnAVessel, HasColumnsBesideThoseOfTheWater) {
       const auto found = std::find(names.begin(), names.end(), name);
       return found == names.end() ? std::nan("") : values[static_cast<std::size_t>(found - names.begin())];
     };
-    EXPECT_NEAR(value("tug_fx_N"), k_push, 1e-12) << integrator;
-    EXPECT_NEAR(value("tug_my_Nm"), 2 * k_push, 1e-12) << integrator;
-    EXPECT_NEAR(value("hydro_fx_N"), 0, 1e-12) << integrator;
+    EXPECT_NEAR(value("tug_fx_N"), k_push, 1e-10) << integrator;
+    EXPECT_NEAR(value("tug_my_Nm"), 2 * k_push, 1e-10) << integrator;
+    EXPECT_NEAR(value("hydro_fx_N"), 0, 0.01) << integrator;
     const std::vector<std::string> loads = channels.load_names();
     EXPECT_EQ(std::count(loads.begin(), loads.end(), "tug_fz_N"), 1) << integrator;
   }
