@@ -40,7 +40,7 @@ int corner(const geometry::MeshWords& words, std::string_view text, std::size_t 
   return static_cast<int>(place);
 }
 
-void read_face(geometry::MeshWords& words, PolygonSoup& soup) {
+void read_obj_face(geometry::MeshWords& words, PolygonSoup& soup) {
   auto& loop = soup.polygons.emplace_back();
   for (auto word = words.next_on_line(); !word.empty(); word = words.next_on_line())
     loop.push_back(corner(words, word, soup.points.size()));
@@ -59,7 +59,7 @@ PolygonSoup parse_obj(const std::string& text, const std::string& file) {
       soup.points.push_back(p);
       words.skip_joined_lines();  // a weight or a colour may follow
     } else if (word == "f" || word == "fo") {
-      read_face(words, soup);
+      read_obj_face(words, soup);
     } else {
       pass_over(words, word);
     }

@@ -28,7 +28,7 @@ std::string_view after_header(geometry::MeshWords& words) {
   return first;
 }
 
-void read_face(geometry::MeshWords& words, PolygonSoup& soup) {
+void read_off_face(geometry::MeshWords& words, PolygonSoup& soup) {
   const auto corners = words.next();
   const long long n = words.integer(corners);
   if (n < 3) words.fail("at least three corners of a face", corners);
@@ -57,7 +57,7 @@ PolygonSoup parse_off(const std::string& text, const std::string& file) {
     soup.points.push_back(p);
     words.skip_line();
   }
-  for (std::size_t f = 0; f < faces; ++f) read_face(words, soup);
+  for (std::size_t f = 0; f < faces; ++f) read_off_face(words, soup);
   return soup;
 }
 
