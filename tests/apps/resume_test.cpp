@@ -211,6 +211,7 @@ TEST_F(Resume, AnInterruptedRunGoesOnWhereItStopped) {
   }
   const auto summary = nlohmann::json::parse(read_text(in("cut/summary.json")));
   EXPECT_EQ(summary["status"], "interrupted");
+  EXPECT_TRUE(mentions(read_text(in("cut/nilas.log")), "`nilas run --resume cut` continues the run."));
   const auto result = nilas("run --resume cut --checkpoint-every 0.3");
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_TRUE(mentions(result.err, "continues from")) << result.err;

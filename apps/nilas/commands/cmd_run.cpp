@@ -54,7 +54,8 @@ struct Ending {
   std::string status = "done";
   int exit_code = exit_done;
   std::string message = {};
-  std::string early = {};  ///< why a run that is done ended before its end time; empty: it did not
+  std::string interrupted = {};  ///< for an interrupted run: when it ended and how to continue it
+  std::string early = {};        ///< why a run that is done ended before its end time; empty: it did not
 };
 
 class Run {
@@ -125,8 +126,8 @@ class Run {
     if (options_.json)
       std::cout << summary.dump(2) << "\n";
     else
-      console.close(output::closing_account(folder_.statistics(), wall, folder_.path(), ice, twins ? &*twins : nullptr,
-                                            ice_load));
+      console.close(output::closing_account(folder_.statistics(), {.wall_s = wall, .interrupted = ending.interrupted},
+                                            folder_.path(), ice, twins ? &*twins : nullptr, ice_load));
     return ending.exit_code;
   }
 
@@ -232,11 +233,22 @@ class Run {
       return {"failed", exit_numerics, e.what()};
     }
     if (checkpoint_steps > 0 && steps_saved_ != simulation.steps()) write_checkpoint(simulation);
-    if (stop_requested())
-      return {"interrupted", exit_interrupted,
-              fmt::format("The run was interrupted at {:g} s of {:g} s; its outputs are complete up to there.",
-                          simulation.time(), scene_.time.end)};
+    if (stop_requested()) return interrupted_at(simulation.time());
     return ending;
+  }
+
+  Ending interrupted_at(double time) const {
+    const std::string when = fmt::format("at {:g} s of {:g} s", time, scene_.time.end), how = how_to_continue();
+    return {.status = "interrupted",
+            .exit_code = exit_interrupted,
+            .message = "The run was interrupted " + when + "; its outputs are complete up to there. " + how,
+            .interrupted = when + ". " + how};
+  }
+
+  /// A sentence on how an interrupted run is continued.
+  std::string how_to_continue() const {
+    if (steps_saved_ >= 0) return "`nilas run --resume " + folder_.path().string() + "` continues the run.";
+    return "The run cannot be resumed, since it wrote no checkpoints; --checkpoint-every SECONDS writes them.";
   }
 
   void say_what_was_built(const sim::RunInfo& info) {

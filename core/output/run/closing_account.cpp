@@ -92,11 +92,13 @@ std::string twin_lines(const TwinStatistics& twins) {
 
 }  // namespace
 
-std::string closing_account(const RunStatistics& statistics, double wall_s, const std::filesystem::path& outputs,
-                            const std::optional<BrokenIce>& ice, const TwinStatistics* twins,
-                            const std::optional<IceLoad>& ice_load) {
-  const double simulated = statistics.end_time() - statistics.start_time();
-  std::string text = fmt::format("{:<22}{:g} s in {} steps\n", "simulated", simulated, statistics.steps());
+std::string closing_account(const RunStatistics& statistics, const RunEnding& ending,
+                            const std::filesystem::path& outputs, const std::optional<BrokenIce>& ice,
+                            const TwinStatistics* twins, const std::optional<IceLoad>& ice_load) {
+  const double simulated = statistics.end_time() - statistics.start_time(), wall_s = ending.wall_s;
+  std::string text;
+  if (!ending.interrupted.empty()) text += account_line("interrupted", ending.interrupted);
+  text += fmt::format("{:<22}{:g} s in {} steps\n", "simulated", simulated, statistics.steps());
   text += fmt::format("{:<22}{}, {:.3g} x real time\n", "wall-clock", duration_text(wall_s),
                       wall_s > 0 ? simulated / wall_s : 0);
   text += phase_table(statistics, wall_s);

@@ -92,7 +92,7 @@ TEST(ClosingAccount, ShowsWhereTheTimeWentAndTheWorstValues) {
   RunStatistics statistics(test::full_run());
   statistics.start(0, sim::Ledger{.works = {0, 0}});
   statistics.add(test::full_record(), std::vector<double>(53, 1));
-  const std::string text = closing_account(statistics, 0.056, "runs/sample");
+  const std::string text = closing_account(statistics, {.wall_s = 0.056}, "runs/sample");
   EXPECT_EQ(text,
             "simulated             0.01 s in 1 steps\n"
             "wall-clock            0.056 s, 0.179 x real time\n"
@@ -111,16 +111,26 @@ TEST(ClosingAccount, ShowsWhereTheTimeWentAndTheWorstValues) {
             "worst energy error    1e-12 J at 0.01 s, 6.7e-14 of the energy put in\n"
             "outputs               runs/sample\n");
   for (const auto& line : test::split_lines(text)) EXPECT_LE(line.size(), 80u);
-  const std::string broken = closing_account(statistics, 0.056, "runs/sample", BrokenIce{515, 594, 1234567, 0.0123, 0});
+  const std::string broken =
+      closing_account(statistics, {.wall_s = 0.056}, "runs/sample", BrokenIce{515, 594, 1234567, 0.0123, 0});
   EXPECT_NE(broken.find("floes                 515 at the start, 594 at the end\n"
                         "ice lost              1.23e+06 kg crushed, 0.0123 kg brash\n"),
             std::string::npos);
+  const std::string cut = closing_account(
+      statistics,
+      {.wall_s = 0.056, .interrupted = "at 0.01 s of 5 s. `nilas run --resume runs/sample` continues the run."},
+      "runs/sample");
+  EXPECT_EQ(cut.find("interrupted           at 0.01 s of 5 s. `nilas run --resume runs/sample`\n"
+                     "                      continues the run.\n"
+                     "simulated "),
+            0u)
+      << cut;
   TwinStatistics twins;
   twins.count = 2;
   twins.horizon = 4.25;
   twins.e_folding = 0.314;
   twins.failed = {{2, 7.5, "left finite numbers"}};
-  const std::string with_twins = closing_account(statistics, 0.056, "runs/sample", {}, &twins);
+  const std::string with_twins = closing_account(statistics, {.wall_s = 0.056}, "runs/sample", {}, &twins);
   EXPECT_NE(with_twins.find("perturbed runs        2, predictable until 4.25 s, e-folding time 0.31 s\n"
                             "perturbed run         2 failed at 7.5 s\n"),
             std::string::npos)
