@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "apps/compare/scenes/report/paired_text.h"
-#include "core/output/loads/ice_load_text.h"
 
 namespace nilas::compare {
 
@@ -26,7 +25,7 @@ std::string such_ice(const Findings& found) { return found.same_ice ? "this ice"
 std::string scale_text(const Findings& found) {
   if (found.measure.is_load())
     return fmt::format("the reference's mean ice load ({} along the course)",
-                       output::force_text(found.reference.mean.mean));
+                       quantity_text(found.reference.mean.mean, "N"));
   if (found.measure.name == "turn") return "1 rad";
   return fmt::format("the longest path of a body ({})", quantity_text(found.measure.scale, "m"));
 }
@@ -111,8 +110,7 @@ void say_price(const SceneReport& report, std::vector<std::string>& lines) {
 
 /// "+1.2 N +- 0.3 N, which is significant (95 %)", or why it is not known to be.
 std::string change_text(const PairedDifference& d) {
-  std::string text = output::force_text(d.mean);
-  if (std::isfinite(d.half_width)) text += " +- " + output::force_text(d.half_width);
+  std::string text = quantity_text(d.mean, "N") + uncertainty_text(d.mean, d.half_width, "N");
   switch (d.certainty) {
     case Certainty::everywhere:
       return text + ", which is significant (95 %)";
@@ -167,7 +165,7 @@ void say_ablation(const SceneReport& report, std::vector<std::string>& lines) {
       lines.push_back(fmt::format("\"{}\" {}; it {}.", name, changed_by(m, found),
                                   saved_by(m, found.merits.front(), found.time_spread)));
   }
-  if (lines.empty()) lines.emplace_back("The budget had no time for any simplification.");
+  if (by_error.size() < 2) lines.emplace_back("The budget had no time for any simplification.");
 }
 
 std::string blocked(const SceneReport& report) {
@@ -195,18 +193,27 @@ void say_peaks(const Merit& m, const Findings& found, std::vector<std::string>& 
                   change(m.load_max, found.reference.max)));
 }
 
+std::string coverage_text(const Coverage& coverage) {
+  return fmt::format("held in {} of {} run{}; in half of them it was more than {:.2g} times as large as the error.",
+                     std::lround(coverage.share * coverage.runs), coverage.runs, coverage.runs == 1 ? "" : "s",
+                     coverage.width);
+}
+
 void say_errors(const SceneReport& report, std::vector<std::string>& lines) {
   const Findings& found = report.found;
   const Merit* worst = nullptr;
   for (const auto& m : found.merits)
-    if (m.significant && (worst == nullptr || m.error > worst->error)) worst = &m;
+    if (m.significant && m.error >= found.check.moves.value_or(0) && (worst == nullptr || m.error > worst->error))
+      worst = &m;
   if (worst != nullptr)
     lines.push_back(fmt::format("The largest significant error is that of \"{}\": {} ({}).",
                                 report.label(worst->setting), quantity_text(worst->error, found.measure.unit),
                                 percent_text(worst->error / found.measure.scale)));
   else if (std::isfinite(found.common_floor))
-    lines.push_back(fmt::format("No setting has a significant error over {}. All errors may be chance or rounding.",
-                                such_ice(found)));
+    lines.push_back(
+        fmt::format("No setting has a significant error over {}. All errors may be chance, rounding or the "
+                    "reference's own change with its step.",
+                    such_ice(found)));
   if (!found.measure.is_load()) return;
   for (const auto& line : difference_lines(found, &Merit::from_reference, "the reference", report.labels()))
     lines.push_back(line);
@@ -222,6 +229,10 @@ void say_errors(const SceneReport& report, std::vector<std::string>& lines) {
 
 std::vector<std::string> answer_lines(const SceneReport& report) {
   std::vector<std::string> lines;
+  const Plan& plan = report.study.plan;
+  if (plan.end < plan.scene_end)
+    lines.push_back(fmt::format("Over {} only: the budget shortened the runs from {:.3g} s.", window_text(report),
+                                plan.scene_end - plan.start));
   if (!report.compared())
     lines.push_back("Nothing can be compared: " + blocked(report) + ".");
   else if (report.study.ablation)
@@ -248,13 +259,10 @@ std::vector<std::string> detail_lines(const SceneReport& report) {
                                                              "separately, from realisations whose ice differs from "
                                                              "the start."
                                                            : ""));
-  if (found.coverage)
-    lines.push_back(fmt::format(
-        "The estimate of the load error that uses all runs covers the measured error in {} of {} runs, and is {:.2g} "
-        "times as large in the median. The estimate that each run states by itself covers {} and is {:.2g} times as "
-        "large.",
-        percent_text(found.coverage->share), found.coverage->runs, found.coverage->width,
-        percent_text(found.coverage_alone->share), found.coverage_alone->width));
+  if (found.coverage) {
+    lines.push_back("With all runs, the estimated error of the load " + coverage_text(*found.coverage));
+    lines.push_back("The +- that each run prints by itself " + coverage_text(*found.coverage_alone));
+  }
   for (const auto& order : found.orders)
     lines.push_back(fmt::format(
         "Over {} steps the error of \"{}\" {}.", order.steps, order.rest,

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "apps/compare/scenes/judge/floors.h"
+#include "apps/compare/scenes/report/scene_report.h"
 #include "apps/compare/workshop/json_store.h"
-#include "core/output/loads/ice_load_text.h"
 #include "core/output/text/console.h"
 
 namespace nilas::compare {
@@ -33,7 +33,7 @@ std::optional<int> realisations_for_target(const Findings& found, int from) {
 }
 
 std::string share_text(double newton, const Findings& found) {
-  return fmt::format("{} ({:.2g} %)", output::force_text(newton), 100 * newton / found.measure.scale);
+  return fmt::format("{} ({:.2g} %)", quantity_text(newton, "N"), 100 * newton / found.measure.scale);
 }
 
 }  // namespace

@@ -18,19 +18,20 @@ namespace nilas::compare {
 
 namespace {
 
-std::string number_text(double value, const char* format = "{:.3g}") {
+std::string number_text(double value, const char* format) {
   return std::isfinite(value) ? fmt::format(fmt::runtime(format), value) : "";
 }
-std::string with_error(double value, double error, const char* format = "{:.4g}") {
-  return number_text(value, format) +
-         (std::isfinite(value) && std::isfinite(error) ? fmt::format(" ± {:.2g}", error) : "");
-}
+std::string number_text(double value) { return std::isfinite(value) ? three_digits(value) : ""; }
 /// The text with each "+-", as terminals have it, replaced by one sign.
 std::string typeset(std::string text) {
   const std::string ascii = "+-", sign = "±";
   for (std::size_t at = 0; (at = text.find(ascii, at)) != std::string::npos; at += sign.size())
     text.replace(at, ascii.size(), sign);
   return text;
+}
+
+std::string with_error(double value, double error) {
+  return std::isfinite(value) ? number_text(value) + typeset(uncertainty_text(value, error, "")) : "";
 }
 
 const char* caption_of(const std::string& picture) {
@@ -69,10 +70,10 @@ std::string mean_load_text(const Merit& m) {
   return with_error(m.load.mean, m.load.standard_error) + (m.partial ? " *" : "");
 }
 
-Json load_cells(const Merit& m) {
-  return {{"from_reference", typeset(difference_cell(m.from_reference))},
+Json load_cells(const Merit& m, double moves) {
+  return {{"from_reference", typeset(difference_cell(m.from_reference, moves))},
           {"reference_class", class_of(m.from_reference)},
-          {"from_own", typeset(difference_cell(m.from_own))},
+          {"from_own", typeset(difference_cell(m.from_own, moves))},
           {"own_class", class_of(m.from_own)},
           {"std", number_text(m.load_std.mean)},
           {"p99", number_text(m.load_p99.mean)},
@@ -80,12 +81,14 @@ Json load_cells(const Merit& m) {
 }
 
 /// The error with its share of the scale, or a remark if it may be chance.
-std::string error_text(const Merit& m, const Measure& measure) {
+std::string error_text(const Merit& m, const Findings& found) {
+  const Measure& measure = found.measure;
   if (!std::isfinite(m.error)) return "";
   if (!m.significant)
     return std::isfinite(m.floor) ? fmt::format("not significant (below {:.2g})", m.floor) : "not known";
   const bool share = measure.scale > 0 && measure.name != "turn";
-  return fmt::format("{:.3g}", m.error) + (share ? fmt::format(" ({:.2g} %)", 100 * m.error / measure.scale) : "");
+  if (m.error < found.check.moves.value_or(0)) return number_text(m.error) + " (less than the reference's own change)";
+  return number_text(m.error) + (share ? fmt::format(" ({:.2g} %)", 100 * m.error / measure.scale) : "");
 }
 
 Json setting_row(const SceneReport& report, const Merit& m) {
@@ -97,12 +100,12 @@ Json setting_row(const SceneReport& report, const Merit& m) {
           {"number", m.setting + 1},
           {"label", report.label(m.setting)},
           {"full", full_label(report.study.plan.settings[m.setting])},
-          {"time", with_error(m.time, m.time_spread, "{:.3g}")},
+          {"time", with_error(m.time, m.time_spread)},
           {"ms_per_step", number_text(m.ms_per_step)},
-          {"error", error_text(m, found.measure)},
+          {"error", error_text(m, found)},
           {"error_class", m.significant ? "n" : "n weak"},
           {"load_or_floor", found.measure.is_load() ? mean_load_text(m) : number_text(m.floor)},
-          {"load_cells", found.measure.is_load() ? load_cells(m) : Json(nullptr)},
+          {"load_cells", found.measure.is_load() ? load_cells(m, found.check.moves.value_or(0)) : Json(nullptr)},
           {"motion", number_text(m.motion.mean)},
           {"penetration", number_text(m.penetration_max_m)},
           {"energy", number_text(m.energy_error, "{:.1e}")},
@@ -130,7 +133,8 @@ std::vector<std::string> table_notes(const Findings& found) {
   std::vector<std::string> notes;
   const bool partial = std::any_of(found.merits.begin(), found.merits.end(), [](const Merit& m) { return m.partial; });
   notes.push_back(
-      fmt::format("All figures are over {}{}. After ±: for a time, the scatter among runs of one setting; for "
+      fmt::format("All figures are over {}{}. A ± below the third digit is left out. After ±: for a time, the scatter "
+                  "among runs of one setting; for "
                   "a load, the standard error over the realisations.",
                   found.shared.empty() ? "no realisation" : realisations_text(found.shared),
                   partial ? ", except those marked *: their means must not be compared with the others, "

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "apps/compare/scenes/judge/pairing.h"
-#include "core/output/loads/ice_load_text.h"
+#include "apps/compare/scenes/report/scene_report.h"
 
 namespace nilas::compare {
 
@@ -14,20 +14,21 @@ namespace {
 
 constexpr std::size_t k_most_named = 4;
 
-std::string signed_force(double newton) { return (newton > 0 ? "+" : "") + output::force_text(newton); }
+std::string signed_force(double newton) { return (newton > 0 ? "+" : "") + quantity_text(newton, "N"); }
 
 std::string amount(const PairedDifference& d, double scale) {
-  const std::string width = std::isfinite(d.half_width) && d.certainty == Certainty::everywhere
-                                ? " +- " + output::force_text(d.half_width)
-                                : "";
+  const std::string width = d.certainty == Certainty::everywhere ? uncertainty_text(d.mean, d.half_width, "N") : "";
   return fmt::format("{}{} ({:+.2g} %)", signed_force(d.mean), width, 100 * d.mean / scale);
 }
 
-/// The merits whose difference has this certainty, the largest mean first.
+/// The merits whose difference has this certainty, the largest mean first. Significant differences below the change
+/// of the reference with its own step are left out, because the reference cannot show them.
 std::vector<const Merit*> of_certainty(const Findings& found, PairedDifference Merit::*member, Certainty certainty) {
   std::vector<const Merit*> list;
   for (const auto& m : found.merits)
-    if ((m.*member).certainty == certainty) list.push_back(&m);
+    if ((m.*member).certainty == certainty &&
+        (certainty == Certainty::none || std::abs((m.*member).mean) >= found.check.moves.value_or(0)))
+      list.push_back(&m);
   std::stable_sort(list.begin(), list.end(), [&](const Merit* a, const Merit* b) {
     return std::abs((a->*member).mean) > std::abs((b->*member).mean);
   });
@@ -60,13 +61,21 @@ std::string by_setting(const std::vector<const Merit*>& list, const Findings& fo
   });
 }
 
+/// The realisations on which significance rests, and its level.
+std::string basis_text(const Findings& found) {
+  constexpr double k_negligible = 1e-3;
+  if (!found.same_ice || found.shared.size() < 2) return "95 %, over " + realisations_text(found.shared);
+  const std::string times =
+      found.shared.size() == 2 ? "the same ice twice" : fmt::format("the same ice {} times", found.shared.size());
+  return times + (found.common_floor < k_negligible * found.measure.scale ? "; chance is negligible" : "; 95 %");
+}
+
 /// The sentence about differences whose mean over the realisations is significant by Student's t.
 std::string everywhere_line(const std::vector<const Merit*>& list, const Findings& found, Member member,
                             const std::string& other, const std::vector<std::string>& labels) {
   return fmt::format(
-      "Compared run by run on the same ice, the mean ice load differs significantly from that of {} (95 %, over {}): "
-      "{}.{}",
-      other, realisations_text(found.shared), by_setting(list, found, member, labels),
+      "Compared run by run on the same ice, the mean ice load differs significantly from that of {} ({}): {}.{}", other,
+      basis_text(found), by_setting(list, found, member, labels),
       found.same_ice ? " All of them have the same ice, so this says nothing about other ice." : "");
 }
 
@@ -76,7 +85,7 @@ std::string one_realisation_line(const std::vector<const Merit*>& list, const Fi
       "In the one realisation that was run, the mean ice load differs significantly from that of {} (chance alone "
       "makes at "
       "most {} there, 95 %): {}. This says nothing about other ice.",
-      other, output::force_text(widest_limit(found.merits, member)), by_setting(list, found, member, labels));
+      other, quantity_text(widest_limit(found.merits, member), "N"), by_setting(list, found, member, labels));
 }
 
 std::string some_realisations_line(const std::vector<const Merit*>& list, const Findings& found, Member member,
@@ -107,10 +116,10 @@ const char* name_of(Certainty certainty) {
   return "unknown";
 }
 
-std::string difference_cell(const PairedDifference& d) {
+std::string difference_cell(const PairedDifference& d, double reference_moves) {
   if (d.realisations.empty()) return "";
-  std::string text = fmt::format("{:+.3g}", d.mean);
-  if (std::isfinite(d.half_width)) text += fmt::format(" +- {:.2g}", d.half_width);
+  std::string text = (d.mean > 0 ? "+" : "") + three_digits(d.mean) + uncertainty_text(d.mean, d.half_width, "");
+  if (is_sure(d) && std::abs(d.mean) < reference_moves) return text + ", less than the reference's own change";
   switch (d.certainty) {
     case Certainty::everywhere:
       return text + ", significant";
@@ -140,7 +149,7 @@ std::vector<std::string> difference_lines(const Findings& found, PairedDifferenc
     const double limit = widest_limit(found.merits, member);
     lines.push_back(fmt::format(
         "No setting's mean ice load differs significantly from that of {}, not even run by run on the same ice{}.",
-        other, limit > 0 ? fmt::format(", where chance alone makes up to {} (95 %)", output::force_text(limit)) : ""));
+        other, limit > 0 ? fmt::format(", where chance alone makes up to {} (95 %)", quantity_text(limit, "N")) : ""));
   }
   return lines;
 }

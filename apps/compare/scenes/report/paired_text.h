@@ -11,7 +11,7 @@ namespace nilas::compare {
 const char* name_of(Certainty certainty);
 
 /// The cell of a table [N], such as "+65 +- 10, significant"; empty without a difference.
-std::string difference_cell(const PairedDifference& difference);
+std::string difference_cell(const PairedDifference& difference, double reference_moves);
 
 /// Sentences about the settings that differ significantly from `other` ("the reference"): in which realisations, and by
 /// how much. `labels`: labels of all settings.

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "apps/compare/scenes/judge/ranking.h"
 #include "core/output/loads/ice_load_text.h"
 
@@ -19,13 +21,44 @@ std::vector<std::string> SceneReport::labels() const {
 
 bool SceneReport::compared() const { return anything_compared(found.merits); }
 
+std::string window_text(const SceneReport& report) {
+  const Findings& found = report.found;
+  const Plan& plan = report.study.plan;
+  double from = plan.end, latest = plan.start, to = plan.end;
+  for (const int r : found.shared) {
+    if (!found.measure.is_load() || static_cast<std::size_t>(r) >= found.windows.size() || !found.windows[r]) continue;
+    from = std::min(from, found.windows[r]->from);
+    latest = std::max(latest, found.windows[r]->from);
+    to = found.windows[r]->to;
+  }
+  if (!(from < to)) return fmt::format("{:.3g} to {:.3g} s", plan.start, plan.end);
+  return fmt::format("{:.3g}{} to {:.3g} s", from, latest > from ? fmt::format(" or up to {:.3g}", latest) : "", to);
+}
+
+std::string three_digits(double value) {
+  constexpr double k_whole = 999.5, k_plain = 1e6;
+  const double size = std::abs(value);
+  if (!(size >= k_whole && size < k_plain)) return fmt::format("{:.3g}", value);
+  const double unit = std::pow(10.0, std::floor(std::log10(size)) - 2);
+  return fmt::format("{:.0f}", std::round(value / unit) * unit);
+}
+
 std::string quantity_text(double value, const std::string& unit) {
   if (!std::isfinite(value)) return "not known";
-  if (unit == "N") return output::force_text(value);
+  if (unit == "N") {
+    const output::ForceUnit readable = output::force_unit(value);
+    return fmt::format("{} {}", three_digits(value / readable.size), readable.name);
+  }
   const double size = std::abs(value);
   if (unit == "m" && size > 0 && size < 0.1)
     return size < 1e-4 ? fmt::format("{:.3g} um", 1e6 * value) : fmt::format("{:.3g} mm", 1e3 * value);
   return fmt::format("{:.3g} {}", value, unit);
+}
+
+std::string uncertainty_text(double value, double uncertainty, const std::string& unit) {
+  constexpr double k_below_digits = 5e-4;  // half a unit of the third digit of 999
+  if (!std::isfinite(uncertainty) || uncertainty < k_below_digits * std::abs(value)) return "";
+  return " +- " + (unit.empty() ? fmt::format("{:.2g}", uncertainty) : quantity_text(uncertainty, unit));
 }
 
 std::string percent_text(double share) { return fmt::format("{:.3g} %", 100 * share); }

@@ -41,9 +41,17 @@ struct SceneReport {
   bool untouched() const { return !found.measure.is_load() && !found.headline.empty(); }
 };
 
-/// A length, force or angle with a readable unit: "1.23 N", "0.45 mm".
+/// The times over which means are taken: "2.14 to 3.7 s". Where the realisations begin at different times, the
+/// earliest and the latest begin are named.
+std::string window_text(const SceneReport& report);
+/// A number with at most three significant digits, without an exponent up to 1e6: "0.123", "1230".
+std::string three_digits(double value);
+/// A length, force or angle with a readable unit and three digits: "1.23 N", "0.45 mm".
 std::string quantity_text(double value, const std::string& unit);
 /// A share in percent: "3.21 %".
 std::string percent_text(double share);
+/// The uncertainty of a value as the text " +- 0.12"; empty where it lies below the digits of the value that are shown.
+/// `unit`: unit of both; empty: the text has none.
+std::string uncertainty_text(double value, double uncertainty, const std::string& unit);
 
 }  // namespace nilas::compare
