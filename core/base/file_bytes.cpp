@@ -1,17 +1,36 @@
 #include "core/base/file_bytes.h"
 
+#include <algorithm>
 #include <array>
 #include <fstream>
 #include <new>
-
-#include "core/base/error.h"
+#include <vector>
 
 namespace nilas {
 
 namespace fs = std::filesystem;
 
+/// Returns the names in a folder in order; none where it cannot be read.
+static std::vector<std::string> names_in(const fs::path& folder) {
+  std::vector<std::string> names;
+  std::error_code error;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
+    names.push_back(entry->path().filename().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+FileError nothing_there(const fs::path& path, const std::string& kind) {
+  const fs::path written = path.has_filename() ? path : path.parent_path();
+  const fs::path folder = written.has_parent_path() ? written.parent_path() : fs::path(".");
+  const std::string name = nearest_name(written.filename().string(), names_in(folder));
+  const std::string near = name.empty() ? "" : (written.parent_path() / name).string();
+  return FileError(path.string() + ": there is no such " + kind + (near.empty() ? "" : "; nearest: " + near));
+}
+
 std::string file_bytes(const fs::path& file) {
   std::error_code ignored;
+  if (fs::status(file, ignored).type() == fs::file_type::not_found) throw nothing_there(file, "file");
   std::ifstream in(file, std::ios::binary);
   if (!in || fs::is_directory(file, ignored)) throw FileError(file.string() + ": cannot be opened");
   // in blocks: what pipes and /proc hold is not known beforehand
@@ -31,7 +50,7 @@ std::string file_bytes(const fs::path& file) {
 bool is_folder(const fs::path& path) {
   std::error_code error;
   const fs::file_status found = fs::status(path, error);
-  if (found.type() == fs::file_type::not_found) throw FileError(path.string() + ": no such file or folder");
+  if (found.type() == fs::file_type::not_found) throw nothing_there(path, "file or folder");
   if (error) throw FileError(path.string() + ": cannot be opened: " + error.message());
   return fs::is_directory(found);
 }

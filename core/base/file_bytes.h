@@ -3,7 +3,13 @@
 #include <filesystem>
 #include <string>
 
+#include "core/base/error.h"
+
 namespace nilas {
+
+/// Returns the fault of a path where nothing is: "PATH: there is no such KIND; nearest: PATH". The latter is the
+/// entry of that folder with the most similar name, if any is similar.
+FileError nothing_there(const std::filesystem::path& path, const std::string& kind);
 
 /// All bytes of a file. Throws FileError: cannot be opened (a folder cannot), read, or held in memory.
 std::string file_bytes(const std::filesystem::path& file);

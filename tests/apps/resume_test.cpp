@@ -305,7 +305,7 @@ TEST_F(Resume, WhatIsNoRunIsRefused) {
     EXPECT_EQ(result.exit_code, code) << run << ": " << result.err;
     EXPECT_TRUE(mentions(result.err, word)) << run << ": " << result.err;
   };
-  refused("nowhere", 4, "is no run folder");
+  refused("nowhere", 4, "nowhere: there is no such run folder");
   refused("ice.xml", 4, "is no run folder");
   fs::create_directory(in("empty"));
   refused("empty", 4, "it has no scene.xml");

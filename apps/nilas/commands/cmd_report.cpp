@@ -6,6 +6,7 @@
 #include "apps/nilas/commands/commands.h"
 #include "apps/report/drawn_run.h"
 #include "core/base/error.h"
+#include "core/base/file_bytes.h"
 #include "core/output/text/console.h"
 #include "core/output/text/phase_progress.h"
 #include "core/output/text/plot.h"
@@ -16,6 +17,8 @@ namespace nilas::commands {
 
 namespace {
 
+namespace fs = std::filesystem;
+
 struct ReportOptions {
   std::string run, out, body;
   std::vector<double> contacts;
@@ -24,6 +27,8 @@ struct ReportOptions {
 
 int draw_report(const ReportOptions& options) {
   const std::filesystem::path run = options.run, out = options.out.empty() ? run : std::filesystem::path(options.out);
+  if (std::error_code ignored; fs::status(run, ignored).type() == fs::file_type::not_found)
+    throw nothing_there(run, "run folder");
   const scene::Scene scene = scene::read_scene(run / "scene.xml");
   WarningCounts warnings(make_logger("off", ""));
   output::PhaseProgress progress(std::cerr, output::phase_style(false, false),

@@ -24,6 +24,18 @@ TEST(FileBytes, WhatCannotBeReadIsNoEmptyFile) {
   EXPECT_THROW(file_bytes(folder / "."), FileError);
 }
 
+TEST(FileBytes, AnAbsentFileIsToldWithTheNearestName) {
+  const test::ScratchFolder folder;
+  folder.write("towing.xml", "x");
+  folder.write("else.txt", "x");
+  const auto told = [&](const std::string& name) { return std::string(nothing_there(folder / name, "file").what()); };
+  const std::string place = (folder / "").string();
+  EXPECT_EQ(told("toing.xml"), place + "toing.xml: there is no such file; nearest: " + place + "towing.xml");
+  EXPECT_EQ(told("q"), place + "q: there is no such file");
+  EXPECT_EQ(std::string(nothing_there("no-such-folder/file", "file").what()),
+            "no-such-folder/file: there is no such file");
+}
+
 TEST(IsFolder, TellsFoldersFromFilesAndFromNothing) {
   const test::ScratchFolder folder;
   EXPECT_TRUE(is_folder(folder / "."));
