@@ -150,7 +150,7 @@ TEST(Report, SaysWhatIsMissing) {
   refused("run --contacts 0.05 --window=-1", 2, "--window");
   refused("none --contacts 0.05", 2, "<output contacts=\"hull\">");
   refused("box --contacts 0.05", 2, "neither a vessel nor a body");
-  refused("nowhere --contacts 0.05", 4, "scene.xml");
+  refused("nowhere --contacts 0.05", 4, "nowhere: there is no such run folder");
   folder.write("run/contacts.h5", "no HDF5");
   refused("run --contacts 0.05", 2, "is no HDF5 file");
 }

@@ -77,7 +77,7 @@ TEST(Outlook, OfMissingRunsSaysWhatTheyTakeTellAndHowToGoOn) {
   ASSERT_GE(lines.size(), 3U);
   EXPECT_EQ(lines[0],
             "With about 6 min 40 s more, all 2 settings would have 3 realisations. Differences of the mean ice load "
-            "above about 5.197 N (5.2 %) would then be significant, now only those above 35.94 N (36 %).");
+            "above about 5.2 N (5.2 %) would then be significant, now only those above 35.9 N (36 %).");
   EXPECT_EQ(lines[2], "  nilas compare --resume out --budget 470");
 }
 
