@@ -72,15 +72,14 @@ static std::unique_ptr<solvers::ContactSolver> make_named(SolverName name, const
 }
 
 static SolverEntry entry_of(SolverName name) {
-  const ChoiceText text = choice_text(name);
-  SolverTraits traits = traits_of(name);
+  const SolverFacts facts = facts_of(name);
   const auto make_it = [name](const SolverSettings& settings) { return make_named(name, settings); };
-  return {std::string(text.name),
-          std::string(text.doc),
-          std::move(traits.laws),
+  return {std::string(facts.text.name),
+          std::string(facts.text.doc),
+          {facts.laws.begin(), facts.laws.end()},
           make_it,
-          traits.moments,
-          traits.order_free,
+          facts.moments,
+          facts.order_free,
           name};
 }
 

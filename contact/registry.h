@@ -16,8 +16,8 @@ struct SolverEntry {
   std::string summary;  ///< one sentence: method, cost per iteration, when to use it
   std::vector<Law> laws;
   std::function<std::unique_ptr<solvers::ContactSolver>(const SolverSettings&)> make;
-  bool moments = false;     ///< see SolverTraits
-  bool order_free = false;  ///< see SolverTraits
+  bool moments = false;     ///< see SolverFacts
+  bool order_free = false;  ///< see SolverFacts
   std::optional<SolverName> in_scenes =
       {};  ///< the name by which a scene asks for it; empty for solvers for comparison only
 };

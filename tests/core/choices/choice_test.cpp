@@ -51,7 +51,7 @@ TEST(ParsedLaw, IsNamedAsItIsAskedFor) {
     EXPECT_EQ(name_of(parse_law(name)), name);
 }
 
-TEST(SolverTraits, SayWhatIsTakenInstead) {
+TEST(SolverFacts, SayWhatIsTakenInstead) {
   EXPECT_EQ(law_problem(SolverName::nsgs, Law::pyramid_k), std::nullopt);
   EXPECT_EQ(*law_problem(SolverName::admm, Law::pyramid),
             "solver 'admm' does not take the law 'pyramid'; it takes: coulomb, ccp, frictionless; solvers for this "

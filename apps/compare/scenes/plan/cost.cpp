@@ -9,33 +9,6 @@ namespace nilas::compare {
 
 namespace {
 
-/// A rough ratio of a solve's time to that of nsgs in fields of floes, for estimates before anything was run.
-double time_of(SolverName solver) {
-  switch (solver) {
-    case SolverName::pgs:
-      return 0.6;
-    case SolverName::nsgs:
-    case SolverName::enumerate:
-      return 1;
-    case SolverName::automatic:
-      return 1.2;
-    case SolverName::apgd:
-    case SolverName::newton:
-      return 5;
-    case SolverName::admm:
-      return 8;
-    case SolverName::eg:
-      return 10;
-    case SolverName::newton_order_free:
-      return 15;
-    case SolverName::eg_order_free:
-      return 20;
-    case SolverName::ipm:
-      return 25;
-  }
-  return 1;
-}
-
 /// The factor by which each decade of accuracy raises the time, approximately.
 constexpr double k_per_decade = 2.5;
 
@@ -50,7 +23,7 @@ double law_weight(const CompareSetting& setting) {
 }
 
 double weight(const CompareSetting& setting) {
-  return time_of(choice_named<SolverName>(setting.solver)) * law_weight(setting) * tolerance_weight(setting.tolerance);
+  return facts_of(choice_named<SolverName>(setting.solver)).relative_time * law_weight(setting) * tolerance_weight(setting.tolerance);
 }
 
 }  // namespace
