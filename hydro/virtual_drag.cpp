@@ -9,6 +9,7 @@ class VirtualDrag : public bodies::ForceModule {
   VirtualDrag(double coefficient, const Vec3& velocity) : coefficient_(coefficient), velocity_(velocity) {}
   std::string name() const override { return "virtual_drag"; }
   bodies::VesselLoad load_on_vessel() const override { return bodies::VesselLoad::none; }
+  std::optional<Vec3> drift() const override { return velocity_.isZero(0) ? std::nullopt : std::optional(velocity_); }
   void add_forces(const bodies::Bodies& bodies, double /*t*/, bodies::Wrenches& out) override {
     for (std::size_t b = 0; b < out.size(); ++b) {
       if (bodies.kind[b] != bodies::BodyKind::floe || bodies.motion[b] != bodies::Motion::free) continue;

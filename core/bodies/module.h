@@ -2,6 +2,7 @@
 /// One physical model of a scene, as the time step calls it. A module implements the phases that it needs; all others
 /// do nothing. core/sim/build/module_list.h lists the modules that a scene can name.
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -54,6 +55,9 @@ class Module {
   /// True when the loads derive from potential_energy().
   virtual bool conservative() const { return false; }
   virtual VesselLoad load_on_vessel() const { return VesselLoad::own; }
+  /// The velocity to which the loads bring free ice [m/s]; zero where they set bodies in motion but at no one velocity;
+  /// nothing where they set none in motion. Load axes and the checks of a scene depend on it.
+  virtual std::optional<Vec3> drift() const { return std::nullopt; }
   /// Adds this module's wrenches at time t [s] for the present poses and velocities. `out` has one entry per body.
   virtual void add_forces(const Bodies& /*bodies*/, double /*t*/, Wrenches& /*out*/) {}
   /// Reduces its own wrenches (`out` holds no others) to those that are stable in an explicit step of length h [s]. By

@@ -64,6 +64,7 @@ Json tow_force_json(const TowForce& tow) {
             {"ice_N", tow.ice},      {"other_contacts_N", tow.others},
             {"water_N", tow.water},  {tow.on_rods ? "inertia_and_rods_N" : "inertia_N", tow.inertia},
             {"speed_m_s", tow.speed}};
+  for (const auto& [name, newton] : tow.modules) json["modules_N"][name] = newton;
   if (tow.open_water) {
     json["open_water_N"] = *tow.open_water;
     json["open_water_source"] = tow.open_water_source;

@@ -71,9 +71,11 @@ std::string tow_lines(const TowForce& tow) {
   constexpr double k_negligible = 1e-6;
   const auto is_some = [&](double newton) { return std::abs(newton) > k_negligible * std::abs(tow.mean); };
   const auto part = [&](double newton) { return force_text(is_some(newton) ? newton : 0); };
+  std::string modules;
+  for (const auto& [name, newton] : tow.modules) modules += fmt::format("{} {}, ", name, part(newton));
   std::string text = account_line(
-      "tow force", fmt::format("{} forward: ice {}, water {}, inertia{} {}{}", force_text(tow.mean), part(tow.ice),
-                               part(tow.water), tow.on_rods ? " and rods" : "", part(tow.inertia),
+      "tow force", fmt::format("{} forward: ice {}, water {}, {}inertia{} {}{}", force_text(tow.mean), part(tow.ice),
+                               part(tow.water), modules, tow.on_rods ? " and rods" : "", part(tow.inertia),
                                is_some(tow.others) ? ", other contacts " + part(tow.others) : ""));
   if (tow.open_water)
     text += account_line("  less open water",

@@ -31,6 +31,7 @@ RunStatistics::RunStatistics(const sim::RunInfo& info)
   if (!info.has_vessel) return;
   load_names_ = VesselChannels(info).load_names();
   load_series_.resize(load_names_.size());
+  if (info.has_carriage) module_resistance_.resize(info.vessel_loads.size());
 }
 
 void RunStatistics::start(double t, const sim::Ledger& ledger) {
@@ -75,6 +76,8 @@ void RunStatistics::add_vessel(const sim::StepRecord& record, const std::vector<
   tow_.push_back(along(vessel.carriage->about_com.force));
   water_.push_back(vessel.hydro ? -along(vessel.hydro->force) : 0);
   others_.push_back(-along(vessel.contact.force - vessel.ice));
+  for (std::size_t m = 0; m < module_resistance_.size(); ++m)
+    module_resistance_[m].push_back(-along(vessel.module_loads[m].force));
   speed_.push_back(along(vessel.state.v));
 }
 
@@ -110,6 +113,8 @@ void RunStatistics::save(StateWriter out) const {
   out.add("tow", tow_);
   out.add("water", water_);
   out.add("others", others_);
+  for (std::size_t m = 0; m < module_resistance_.size(); ++m)
+    out.group("modules").add(info_.vessel_loads[m], module_resistance_[m]);
   out.add("speed", speed_);
   out.add("first_ice", first_ice_);
   out.add("first_break", first_break_);
@@ -150,6 +155,8 @@ void RunStatistics::restore(const StateReader& in) {
   in.get("tow", tow_, towed);
   in.get("water", water_, towed);
   in.get("others", others_, towed);
+  for (std::size_t m = 0; m < module_resistance_.size(); ++m)
+    in.group("modules").get(info_.vessel_loads[m], module_resistance_[m], towed);
   in.get("speed", speed_, towed);
   in.get("first_ice", first_ice_);
   in.get("first_break", first_break_);
@@ -243,6 +250,11 @@ std::optional<IceLoad> RunStatistics::ice_load(const TwinStatistics* twins) cons
     force.water = load_statistics(load.window.of(water_)).mean;
     force.others = load_statistics(load.window.of(others_)).mean;
     force.inertia = force.mean - force.ice - force.others - force.water;  // Newton's law along the course
+    for (std::size_t m = 0; m < module_resistance_.size(); ++m) {
+      const double mean = load_statistics(load.window.of(module_resistance_[m])).mean;
+      force.modules.emplace_back(info_.vessel_loads[m], mean);
+      force.inertia -= mean;
+    }
     force.on_rods = !info_.rods.empty();
     force.speed = load_statistics(load.window.of(speed_)).mean;
   }

@@ -98,7 +98,8 @@ class Doubts {
     if (parts_.info.course == CourseKind::carriage) return true;
     if (scene_.vessel && (moves(*scene_.vessel) || !scene_.vessel->angular_velocity.isZero(0))) return true;
     if (scene_.water && scene_.water->current && moves(*scene_.water->current)) return true;
-    if (scene_.hydro && scene_.hydro->virtual_drag && moves(*scene_.hydro->virtual_drag)) return true;
+    if (std::any_of(parts_.forces.begin(), parts_.forces.end(), [](const auto* m) { return m->drift().has_value(); }))
+      return true;
     if (std::any_of(scene_.bodies.begin(), scene_.bodies.end(),
                     [&](const scene::BodyScene& body) { return moves(body) || !body.angular_velocity.isZero(0); }))
       return true;

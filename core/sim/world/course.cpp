@@ -51,10 +51,10 @@ std::string crossed_wall(const scene::TankScene& tank, const Box2& box) {
   return "";
 }
 
-bool ice_stays(const scene::Scene& scene) {
+bool ice_stays(const scene::Scene& scene, const WorldParts& parts) {
   const auto at_rest = [](const auto& item) { return item.velocity.isZero(0); };
   return !(scene.water && scene.water->current && !scene.water->current->velocity.isZero(0)) &&
-         !(scene.hydro && scene.hydro->virtual_drag && !scene.hydro->virtual_drag->velocity.isZero(0)) &&
+         std::none_of(parts.forces.begin(), parts.forces.end(), [](const auto* m) { return m->drift().has_value(); }) &&
          std::all_of(scene.ice->fields.begin(), scene.ice->fields.end(), at_rest) &&
          std::all_of(scene.ice->floes.begin(), scene.ice->floes.end(), at_rest);
 }
@@ -85,7 +85,7 @@ std::optional<CourseForecast> course_forecast(const scene::Scene& scene, const W
   const TowedOutline hull(parts, scene.time.start);
   CourseForecast forecast;
   const Box2 ice = scene.ice ? box_of_ice(parts.bodies) : Box2();
-  forecast.has_ice_at_rest = !ice.isEmpty() && ice_stays(scene);
+  forecast.has_ice_at_rest = !ice.isEmpty() && ice_stays(scene, parts);
   const auto& tank = parts.course_within;
   const auto blocked = [&](double t) { return tank && !crossed_wall(*tank, hull.box(t)).empty(); };
   const auto in_ice = [&](double t) { return hull.box(t).intersects(ice); };

@@ -11,11 +11,12 @@ constexpr double k_at_rest = 1e-9;  // [m/s]
 
 Vec2 unit(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
-/// Horizontal velocity of the drift against a fixed vessel or structure: the first non-zero one of the virtual drag,
-/// the current, and the velocities of the ice.
-Vec2 drift_of(const scene::Scene& scene) {
+/// Horizontal velocity of the drift against a fixed vessel or structure: the first non-zero one of the modules, the
+/// current, and the velocities of the ice.
+Vec2 drift_of(const scene::Scene& scene, const WorldParts& parts) {
   std::vector<Vec3> named;
-  if (scene.hydro && scene.hydro->virtual_drag) named.push_back(scene.hydro->virtual_drag->velocity);
+  for (const bodies::Module* module : parts.forces)
+    if (const std::optional<Vec3> drift = module->drift()) named.push_back(*drift);
   if (scene.water && scene.water->current) named.push_back(scene.water->current->velocity);
   if (scene.ice) {
     for (const scene::FieldScene& field : scene.ice->fields)
@@ -59,7 +60,7 @@ double length_along_x(const geometry::Shape& hull) {
 
 void describe_loads(const scene::Scene& scene, WorldParts& parts) {
   RunInfo& info = parts.info;
-  const Vec2 drift = drift_of(scene);
+  const Vec2 drift = drift_of(scene, parts);
   const bool drifts = drift.norm() > k_at_rest;
   if (drifts) info.drift_course = -drift.normalized();
   if (scene.vessel) {

@@ -7,6 +7,8 @@
 #include <fstream>
 #include <memory>
 
+#include "core/output/loads/ice_load_json.h"
+#include "core/output/loads/run_statistics.h"
 #include "core/output/tables/steps_csv.h"
 #include "core/output/tables/vessel_channels.h"
 #include "core/scene/read/read_scene.h"
@@ -100,10 +102,19 @@ TEST_F(OwnModule, IsNotThereWhereNobodyListsIt) {
 class Tug : public bodies::ForceModule {
  public:
   std::string name() const override { return "tug"; }
+  std::optional<Vec3> drift() const override { return Vec3::Zero(); }
   void add_forces(const bodies::Bodies& /*bodies*/, double /*t*/, bodies::Wrenches& out) override {
     for (auto& load : out) load += {Vec3(k_push, 0, 0), Vec3(0, 2 * k_push, 0)};
   }
 };
+
+sim::ModuleList with_tug() {
+  sim::ModuleList modules = sim::scene_modules();
+  modules.push_back({"tug", true, [](const sim::ModuleSources&) -> sim::BuiltModule {
+                       return {std::make_unique<Tug>(), "the test"};
+                     }});
+  return modules;
+}
 
 /// The pull is a load of its own in vessel.csv, with time steps and between events. It is no load of the water: within
 /// a step the hull's fore end reaches 2e-3 m/s, where the drag on about 1 m^2 stays below 0.01 N.
@@ -112,12 +123,8 @@ TEST(OwnModuleOnAVessel, HasColumnsBesideThoseOfTheWater) {
     const test::SceneRig rig(test::steps_of(0.01) + test::k_no_weight + "<contact integrator='" + integrator + "'/>" +
                              "<water density='1000' level='5'/><hydro><drag form='1'/></hydro>" +
                              test::box_vessel("position='0 0 0'", ""));
-    sim::ModuleList modules = sim::scene_modules();
-    modules.push_back({"tug", true, [](const sim::ModuleSources&) -> sim::BuiltModule {
-                         return {std::make_unique<Tug>(), "the test"};
-                       }});
     WarningCounts warnings(make_logger("off", ""));
-    sim::Simulation run(rig.scene, 1, warnings, modules);
+    sim::Simulation run(rig.scene, 1, warnings, with_tug());
     ASSERT_EQ(run.info().vessel_loads, std::vector<std::string>{"tug"}) << integrator;
     const sim::StepRecord record = run.step();
     const VesselChannels channels(run.info());
@@ -134,6 +141,51 @@ TEST(OwnModuleOnAVessel, HasColumnsBesideThoseOfTheWater) {
     const std::vector<std::string> loads = channels.load_names();
     EXPECT_EQ(std::count(loads.begin(), loads.end(), "tug_fz_N"), 1) << integrator;
   }
+}
+
+/// The tug pulls forward, so its share of the resistance is negative, and the carriage holds the hull back as strongly.
+/// At a constant speed nothing is left for inertia. The statistics that a checkpoint holds are the same.
+TEST(OwnModuleOnAVessel, HasItsShareOfTheTowForce) {
+  const test::SceneRig rig(test::steps_of(0.01) + test::k_no_weight +
+                           test::box_vessel("position='0 0 0'", "<carriage speed='0.2'/>"));
+  WarningCounts warnings(make_logger("off", ""));
+  sim::Simulation run(rig.scene, 1, warnings, with_tug());
+  RunStatistics statistics(run.info()), restored(run.info());
+  const VesselChannels channels(run.info());
+  statistics.start(run.time(), run.initial_ledger());
+  for (int k = 0; k < 20; ++k) {
+    const sim::StepRecord record = run.step();
+    std::vector<double> values;
+    channels.read(*record.vessel, values);
+    statistics.add(record, values);
+  }
+  State state;
+  statistics.save(StateWriter(state));
+  restored.restore(StateReader(state));
+  for (const RunStatistics* each : {&statistics, &restored}) {
+    const auto load = each->ice_load(nullptr);
+    ASSERT_TRUE(load && load->tow);
+    ASSERT_EQ(load->tow->modules.size(), 1);
+    EXPECT_EQ(load->tow->modules.front().first, "tug");
+    EXPECT_NEAR(load->tow->modules.front().second, -k_push, 1e-10);
+    EXPECT_NEAR(load->tow->mean, -k_push, 1e-9);
+    EXPECT_NEAR(load->tow->inertia, 0, 1e-9);
+    EXPECT_NEAR(tow_force_json(*load->tow).at("modules_N").at("tug").get<double>(), -k_push, 1e-10);
+  }
+}
+
+/// A floe and a vessel at rest, without a current: only the module drives them.
+TEST(OwnModuleOnAVessel, DrivesTheIceInTheChecksOfAScene) {
+  const test::SceneRig rig(test::steps_of(0.01) + test::k_no_weight + test::box_vessel("position='0 0 0'", "") +
+                           "<ice thickness='0.1'><floe outline='5 0 6 0 6 1 5 1'/></ice>");
+  const auto doubts = [&](const sim::ModuleList& modules) {
+    WarningCounts warnings(make_logger("off", ""));
+    const sim::Simulation run(rig.scene, 1, warnings, modules);
+    return std::count_if(run.info().warnings.begin(), run.info().warnings.end(),
+                         [](const auto& fault) { return fault.message.find("nothing drives") != std::string::npos; });
+  };
+  EXPECT_EQ(doubts(sim::scene_modules()), 1);
+  EXPECT_EQ(doubts(with_tug()), 0);
 }
 
 }  // namespace

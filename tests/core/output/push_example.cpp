@@ -8,6 +8,8 @@ class Push : public bodies::ForceModule {
  public:
   Push(const Vec3& force, int steps) : force_(force), steps_left_(steps) {}
   std::string name() const override { return "push"; }
+  /// It sets bodies in motion, but at no one velocity.
+  std::optional<Vec3> drift() const override { return Vec3::Zero(); }
 
   void add_forces(const bodies::Bodies& bodies, double /*t*/, bodies::Wrenches& out) override {
     if (!acts_) return;
