@@ -8,7 +8,7 @@
 #include "core/base/error.h"
 
 namespace nilas {
-namespace {
+namespace axis_ticks_test {
 
 TEST(AxisTicks, AreRoundAndNeitherFewNorMany) {
   constexpr int k_most = 8;
@@ -32,5 +32,5 @@ TEST(AxisTicks, SuitHullsOfAnySize) {
   EXPECT_THROW(report::tick_step(1, 0), ContractError);
 }
 
-}  // namespace
+}  // namespace axis_ticks_test
 }  // namespace nilas

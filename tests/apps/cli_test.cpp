@@ -9,7 +9,7 @@
 #include "tests/support/mentions.h"
 #include "tests/support/program.h"
 
-namespace {
+namespace cli_test {
 
 using namespace nilas_test;
 
@@ -289,4 +289,4 @@ TEST(Cli, SchemaIsXml) {
   EXPECT_TRUE(mentions(xsd.out, "<xs:schema"));
 }
 
-}  // namespace
+}  // namespace cli_test

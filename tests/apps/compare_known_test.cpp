@@ -5,7 +5,7 @@
 
 #include "tests/apps/compare_scenes.h"
 
-namespace {
+namespace compare_known_test {
 
 using namespace nilas_test;
 
@@ -156,4 +156,4 @@ TEST(Compare, OfATowedShipTurnsOnEverySimplification) {
     EXPECT_NE(settings["load_difference_N"][changed], 0) << settings.text("label")[changed];
 }
 
-}  // namespace
+}  // namespace compare_known_test

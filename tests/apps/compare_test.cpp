@@ -8,7 +8,7 @@
 #include "tests/support/size_limit.h"
 #include "tests/support/started_program.h"
 
-namespace {
+namespace compare_test {
 
 using namespace nilas_test;
 
@@ -312,4 +312,4 @@ TEST(Compare, IsNotJudgedByARunOfOtherIce) {
   EXPECT_NE(result.err.find("has the seed 5"), std::string::npos) << result.err;
 }
 
-}  // namespace
+}  // namespace compare_test

@@ -5,7 +5,7 @@
 
 #include "tests/support/program.h"
 
-namespace {
+namespace equilibrium_test {
 
 using namespace nilas_test;
 
@@ -63,4 +63,4 @@ TEST(CheckEquilibrium, TheConsoleShowsItAndADrySceneDoesNot) {
   EXPECT_FALSE(nlohmann::json::parse(run_nilas("check dry.xml --json", folder.path()).out).contains("equilibrium"));
 }
 
-}  // namespace
+}  // namespace equilibrium_test

@@ -7,7 +7,7 @@
 #include "tests/apps/small_scenes.h"
 #include "tests/support/program.h"
 
-namespace {
+namespace failure_test {
 
 using namespace nilas_test;
 
@@ -69,4 +69,4 @@ TEST(Failure, WorstKeepsOneProblem) {
   EXPECT_EQ(files_of(folder.path() / "run/problems"), std::vector<std::string>{"worst.hdf5"});
 }
 
-}  // namespace
+}  // namespace failure_test

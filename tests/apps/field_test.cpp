@@ -7,7 +7,7 @@
 #include "tests/support/mentions.h"
 #include "tests/support/program.h"
 
-namespace {
+namespace field_test {
 
 using namespace nilas_test;
 
@@ -147,4 +147,4 @@ TEST(Field, FaultsOfVaryNameTheLine) {
   EXPECT_TRUE(mentions(result.err, "'density' does not vary")) << result.err;
 }
 
-}  // namespace
+}  // namespace field_test

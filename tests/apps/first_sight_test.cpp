@@ -6,7 +6,7 @@
 #include "tests/support/mentions.h"
 #include "tests/support/program.h"
 
-namespace {
+namespace first_sight_test {
 
 using namespace nilas_test;
 using Json = nlohmann::json;
@@ -121,4 +121,4 @@ TEST(FirstSight, CheckTellsPeriodsAndTheDefaultsOfTheScale) {
   EXPECT_GE(json["natural_periods"].size(), 4u);
 }
 
-}  // namespace
+}  // namespace first_sight_test

@@ -10,7 +10,7 @@
 #include "tests/support/program.h"
 #include "tests/support/write_obj.h"
 
-namespace {
+namespace hull_doubts_test {
 
 using namespace nilas_test;
 using nilas::hull::MeshAxes;
@@ -118,4 +118,4 @@ TEST(HullDoubts, AxesThatAreNotAcrossEachOtherAreRefused) {
   }
 }
 
-}  // namespace
+}  // namespace hull_doubts_test

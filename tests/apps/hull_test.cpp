@@ -10,7 +10,7 @@
 #include "tests/support/program.h"
 #include "tests/support/write_obj.h"
 
-namespace {
+namespace hull_test {
 
 using namespace nilas_test;
 using nilas::geometry::TriangleMesh;
@@ -336,4 +336,4 @@ TEST(HullCommand, WrongArgumentsAndFilesAreNamed) {
   }
 }
 
-}  // namespace
+}  // namespace hull_test

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace nilas {
-namespace {
+namespace picture_frame_test {
 
 /// Only the corners matter.
 geometry::TriangleMesh box(const Vec3& low, const Vec3& high) {
@@ -62,5 +62,5 @@ TEST(PictureFrame, ElevationsFaceWhereTheIceComesFrom) {
   }
 }
 
-}  // namespace
+}  // namespace picture_frame_test
 }  // namespace nilas

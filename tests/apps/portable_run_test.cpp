@@ -8,7 +8,7 @@
 #include "tests/support/mentions.h"
 #include "tests/support/started_program.h"
 
-namespace {
+namespace portable_run_test {
 
 using namespace nilas_test;
 
@@ -159,4 +159,4 @@ TEST_F(PortableRun, ForceReplacesTheCopiesOfAnotherScene) {
   EXPECT_EQ(left, std::set<std::string>{"mine.txt"});
 }
 
-}  // namespace
+}  // namespace portable_run_test

@@ -8,7 +8,7 @@
 #include "tests/apps/small_scenes.h"
 #include "tests/support/program.h"
 
-namespace {
+namespace report_test {
 
 using namespace nilas_test;
 
@@ -155,4 +155,4 @@ TEST(Report, SaysWhatIsMissing) {
   refused("run --contacts 0.05", 2, "is no HDF5 file");
 }
 
-}  // namespace
+}  // namespace report_test

@@ -14,7 +14,7 @@
 #include "tests/support/mentions.h"
 #include "tests/support/started_program.h"
 
-namespace {
+namespace resume_test {
 
 using namespace nilas_test;
 
@@ -383,4 +383,4 @@ TEST_F(Resume, NeitherSceneNorFolderIsAUsageError) {
   EXPECT_TRUE(mentions(result.err, "scene")) << result.err;
 }
 
-}  // namespace
+}  // namespace resume_test

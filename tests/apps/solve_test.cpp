@@ -9,7 +9,7 @@
 #include "tests/support/mentions.h"
 #include "tests/support/program.h"
 
-namespace {
+namespace solve_test {
 
 using namespace nilas;
 using nilas_test::mentions;
@@ -96,4 +96,4 @@ TEST(Solve, DamagedFilesExitWithTwo) {
   }
 }
 
-}  // namespace
+}  // namespace solve_test

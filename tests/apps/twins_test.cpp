@@ -8,7 +8,7 @@
 #include "tests/support/mentions.h"
 #include "tests/support/program.h"
 
-namespace {
+namespace twins_test {
 
 using namespace nilas_test;
 using Json = nlohmann::json;
@@ -102,4 +102,4 @@ TEST(LoadError, CoversWhatSolversDifferFromATightOne) {
     }
 }
 
-}  // namespace
+}  // namespace twins_test

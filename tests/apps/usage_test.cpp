@@ -7,7 +7,7 @@
 #include "tests/support/mentions.h"
 #include "tests/support/program.h"
 
-namespace {
+namespace usage_test {
 
 using namespace nilas_test;
 
@@ -87,4 +87,4 @@ TEST_F(Usage, WithoutAnyWordTheHelpIsShown) {
   EXPECT_EQ(bare.err, nilas("--help").out);
 }
 
-}  // namespace
+}  // namespace usage_test

@@ -9,7 +9,7 @@
 #include "apps/verify/case.h"
 #include "tests/support/program.h"
 
-namespace {
+namespace verify_test {
 
 using namespace nilas_test;
 
@@ -108,4 +108,4 @@ TEST(Verify, TheExtremesAreDrawn) {
   EXPECT_NE(read_text(folder.path() / "map/extremes.csv").find("friction"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace verify_test

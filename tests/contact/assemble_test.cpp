@@ -10,7 +10,7 @@
 #include "tests/support/random_vectors.h"
 
 namespace nilas::contact {
-namespace {
+namespace assemble_test {
 
 int add_floe(bodies::Bodies& bodies, const Vec3& p, const Vec3& v, const Vec3& w,
              bodies::Motion motion = bodies::Motion::free, const Quat& q = Quat::Identity()) {
@@ -370,5 +370,5 @@ TEST(ContactFrame, MirroredScenesHaveMirroredTangentsToTheBit) {
   }
 }
 
-}  // namespace
+}  // namespace assemble_test
 }  // namespace nilas::contact

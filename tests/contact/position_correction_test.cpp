@@ -8,7 +8,7 @@
 #include "core/base/random.h"
 
 namespace nilas::contact {
-namespace {
+namespace position_correction_test {
 
 constexpr double k_step = 0.01;
 
@@ -225,5 +225,5 @@ TEST(PositionCorrection, DeepOverlapOfTwoImmovableBodiesIsLeftOut) {
   EXPECT_TRUE(result.converged);
 }
 
-}  // namespace
+}  // namespace position_correction_test
 }  // namespace nilas::contact

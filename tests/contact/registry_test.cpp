@@ -9,7 +9,7 @@
 #include "tests/support/refusal.h"
 
 namespace nilas::contact {
-namespace {
+namespace registry_test {
 
 TEST(Registry, FindsSolversAndNamesTheNearest) {
   EXPECT_EQ(find_solver("pgs").make({})->name(), "pgs");
@@ -75,5 +75,5 @@ TEST(Registry, NamesOfLawsAndStatuses) {
   EXPECT_STREQ(to_string(SolveStatus::numerical_error), "numerical_error");
 }
 
-}  // namespace
+}  // namespace registry_test
 }  // namespace nilas::contact

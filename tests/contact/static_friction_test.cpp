@@ -10,7 +10,7 @@
 #include "tests/support/problems/cone_problems.h"
 
 namespace nilas::contact {
-namespace {
+namespace static_friction_test {
 
 constexpr double k_gravity = 9.81, k_step = 1e-3, k_mass = 4, k_static = 0.5, k_kinetic = 0.3;
 
@@ -112,5 +112,5 @@ TEST(StaticFriction, EqualCoefficientsTakeOneRound) {
   EXPECT_NEAR(found.solution.u[1], 2.6, 1e-9);
 }
 
-}  // namespace
+}  // namespace static_friction_test
 }  // namespace nilas::contact

@@ -6,7 +6,7 @@
 #include "contact/law/contact_frame.h"
 
 namespace nilas::contact {
-namespace {
+namespace warm_start_test {
 
 constexpr std::uint64_t k_key = 7;
 
@@ -51,5 +51,5 @@ TEST(WarmStart, MirroredContactsGetMirroredGuesses) {
             Vec3(signs.cwiseProduct(guess_in_g(n, upright, tilted, pressed))));
 }
 
-}  // namespace
+}  // namespace warm_start_test
 }  // namespace nilas::contact

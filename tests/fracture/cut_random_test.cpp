@@ -6,7 +6,7 @@
 #include "tests/support/cut_judge.h"
 #include "tests/support/test_name.h"
 
-namespace {
+namespace cut_random_test {
 
 using namespace nilas;
 using namespace nilas::fracture;
@@ -106,4 +106,4 @@ std::string class_name(const testing::TestParamInfo<int>& tested) { return test_
 
 INSTANTIATE_TEST_SUITE_P(Fracture, RandomCuts, testing::Range(0, k_num_cut_classes), class_name);
 
-}  // namespace
+}  // namespace cut_random_test

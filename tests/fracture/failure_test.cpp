@@ -9,7 +9,7 @@
 #include "fracture/cut/cut_outline.h"
 
 namespace nilas::fracture {
-namespace {
+namespace failure_test {
 
 constexpr double k_E = 5e9, k_water = 1025;
 
@@ -259,5 +259,5 @@ TEST(Failure, WeakLinesLowerTheLoad) {
               4 * rules.splitting_state(k_sheet, contact, ice())->ratio, 1e-6);
 }
 
-}  // namespace
+}  // namespace failure_test
 }  // namespace nilas::fracture

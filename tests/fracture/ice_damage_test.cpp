@@ -7,7 +7,7 @@
 #include "core/base/error.h"
 
 namespace nilas::fracture {
-namespace {
+namespace ice_damage_test {
 
 const Vec2 k_place(3, 1);
 
@@ -96,5 +96,5 @@ TEST(IceDamage, GoesOnFromItsState) {
   EXPECT_NEAR(other.at(7, k_place, 0.5), std::pow(0.6, 4) + std::pow(0.8, 4), 1e-15);
 }
 
-}  // namespace
+}  // namespace ice_damage_test
 }  // namespace nilas::fracture

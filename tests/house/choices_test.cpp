@@ -10,7 +10,7 @@
 
 #include "tests/support/file_text.h"
 
-namespace {
+namespace choices_test {
 
 namespace fs = std::filesystem;
 
@@ -57,4 +57,4 @@ TEST(Choices, ADefaultWouldBeSeen) {
             std::vector<std::string>{"Law"});
 }
 
-}  // namespace
+}  // namespace choices_test

@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace includes_test {
 
 namespace fs = std::filesystem;
 
@@ -182,4 +182,4 @@ TEST(House, OnlyItsRoomsKnowALibrary) {
     }
 }
 
-}  // namespace
+}  // namespace includes_test

@@ -1,4 +1,4 @@
-"""Tells which sources of the product declare things in another namespace than that of their folder.
+"""Tells which sources declare things in another namespace than that of their folder, or of their file for tests.
 
 A room `a/b` has the namespace nilas::b, a folder below it that of its room; ROOMS lists the exceptions. A block of
 another namespace may only name types of another room (`struct X;`). Other libraries' namespaces are not looked at.
@@ -32,6 +32,14 @@ def namespace_of(folder):
     return "nilas::" + folder.parts[1]
 
 
+def tests_without_a_name():
+    """Tests are compiled in batches too. Their names may repeat, since the namespace of a test is its file's name."""
+    for file in sorted((ROOT / "tests").rglob("*_test.cpp")):
+        for name in re.findall(r"^namespace (?!nilas)(.*?) ?\{", file.read_text(), re.M):
+            if name != file.stem:
+                yield f"{file.relative_to(ROOT)}: namespace {name or 'without a name'} should be {file.stem}"
+
+
 def faults():
     for top in ("core", "contact", "hydro", "fracture", "apps"):
         for file in sorted((ROOT / top).rglob("*")):
@@ -45,7 +53,7 @@ def faults():
 
 
 def main():
-    found = list(faults())
+    found = [*faults(), *tests_without_a_name()]
     print("\n".join(found) or "Namespaces are those of the folders.")
     return 1 if found else 0
 

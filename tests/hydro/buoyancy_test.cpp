@@ -7,7 +7,7 @@
 
 namespace nilas::water_test {
 
-namespace {
+namespace buoyancy_test {
 
 hydro::Water sea() {
   hydro::Water water;
@@ -177,6 +177,6 @@ TEST(Buoyancy, SameBitsForAnyThreadCount) {
   EXPECT_EQ(single->potential_energy(bodies), triple->potential_energy(bodies));
 }
 
-}  // namespace
+}  // namespace buoyancy_test
 
 }  // namespace nilas::water_test

@@ -6,7 +6,7 @@
 
 namespace nilas::water_test {
 
-namespace {
+namespace drag_test {
 
 constexpr double k_deep = -50;  // A depth at which bodies are wholly under water [m].
 
@@ -312,6 +312,6 @@ TEST(VirtualDrag, BringsAFloeToItsVelocityAtMost) {
   EXPECT_LT((bodies.v_GB[0] + 0.05 / bodies.mass[0] * out[0].force - Vec3(0.389, 0, 0)).norm(), 1e-15);
 }
 
-}  // namespace
+}  // namespace drag_test
 
 }  // namespace nilas::water_test

@@ -11,7 +11,7 @@
 
 namespace nilas::water_test {
 
-namespace {
+namespace equilibrium_test {
 
 hydro::Water sea() {
   hydro::Water water;
@@ -188,6 +188,6 @@ TEST(FloatingEquilibrium, WhatCannotFloatIsRefused) {
   EXPECT_THROW(hydro::floating_equilibrium(geometry::sphere_shape(0.5), 600, Quat::Identity(), sea()), InputError);
 }
 
-}  // namespace
+}  // namespace equilibrium_test
 
 }  // namespace nilas::water_test

@@ -8,7 +8,7 @@
 
 namespace nilas::water_test {
 
-namespace {
+namespace submerged_test {
 
 constexpr double k_exact = 1e-10;
 
@@ -167,6 +167,6 @@ TEST(Submerged, Sphere) {
   }
 }
 
-}  // namespace
+}  // namespace submerged_test
 
 }  // namespace nilas::water_test

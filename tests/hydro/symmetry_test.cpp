@@ -10,7 +10,7 @@
 
 namespace nilas::water_test {
 
-namespace {
+namespace symmetry_test {
 
 using test::mirrored;
 using test::mirrored_axial;
@@ -107,6 +107,6 @@ TEST(Symmetry, BuoyancyTurnsWithTheFrame) {
     }
 }
 
-}  // namespace
+}  // namespace symmetry_test
 
 }  // namespace nilas::water_test

@@ -7,7 +7,7 @@
 
 namespace nilas::water_test {
 
-namespace {
+namespace waterplane_test {
 
 /// A prism cut level shows its outline, turned by the yaw: moments of a turned polygon by the shoelace formulas.
 TEST(Waterplane, LevelPrismShowsItsOutline) {
@@ -73,6 +73,6 @@ TEST(Waterplane, IsTheSlopeOfTheVolume) {
   }
 }
 
-}  // namespace
+}  // namespace waterplane_test
 
 }  // namespace nilas::water_test

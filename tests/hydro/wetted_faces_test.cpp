@@ -7,7 +7,7 @@
 
 namespace nilas::water_test {
 
-namespace {
+namespace wetted_faces_test {
 
 /// Hydrostatic pressure per rho g is linear, so its integral over a plane face is the value at the centroid times the
 /// area: sum of (z - level) A n over all wet faces must be the displaced volume upwards, with no horizontal part.
@@ -118,6 +118,6 @@ TEST(WettedFaces, FacetedSphere) {
   EXPECT_LT(volume, 1);
 }
 
-}  // namespace
+}  // namespace wetted_faces_test
 
 }  // namespace nilas::water_test

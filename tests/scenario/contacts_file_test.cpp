@@ -8,7 +8,7 @@
 #include "tests/scenario/vessel_rows.h"
 #include "tests/support/started_program.h"
 
-namespace {
+namespace contacts_file_test {
 
 using namespace nilas_test;
 using Eigen::Matrix3d;
@@ -209,4 +209,4 @@ TEST(ContactsFile, AFullDiskEndsTheRun) {
   EXPECT_NE(result.err.find("cannot write: File too large"), std::string::npos) << result.err;
 }
 
-}  // namespace
+}  // namespace contacts_file_test

@@ -9,7 +9,7 @@
 
 #include "tests/support/program.h"
 
-namespace {
+namespace golden_test {
 
 using namespace nilas_test;
 using Json = nlohmann::ordered_json;
@@ -154,4 +154,4 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Golden,
                            return name.substr(0, name.find('-'));
                          });
 
-}  // namespace
+}  // namespace golden_test

@@ -9,7 +9,7 @@
 #include "core/geometry/mesh.h"
 #include "tests/support/program.h"
 
-namespace {
+namespace ice_load_test {
 
 using namespace nilas_test;
 using Json = nlohmann::json;
@@ -167,4 +167,4 @@ TEST_F(IceLoad, OfFixedBodies) {
   }
 }
 
-}  // namespace
+}  // namespace ice_load_test

@@ -8,7 +8,7 @@
 #include "tests/support/program.h"
 
 namespace nilas_test {
-namespace {
+namespace library_calls_test {
 
 std::map<std::string, long> counted_calls(const fs::path& scene, const std::string& more, const fs::path& folder) {
   const fs::path counts = folder / "calls.txt";
@@ -59,5 +59,5 @@ INSTANTIATE_TEST_SUITE_P(ShippedScenes, LibraryCalls, ::testing::ValuesIn(shippe
   return name;
 });
 
-}  // namespace
+}  // namespace library_calls_test
 }  // namespace nilas_test

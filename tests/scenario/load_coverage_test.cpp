@@ -10,7 +10,7 @@
 #include "core/sim/simulation.h"
 #include "tests/support/program.h"
 
-namespace {
+namespace load_coverage_test {
 
 using namespace nilas;
 
@@ -83,4 +83,4 @@ TEST(LoadCoverage, OfLevelIceHoldsAndWidensWhereTheSolverStopsShort) {
   EXPECT_GT(solver(few), 1.5 * solver(shipped));
 }
 
-}  // namespace
+}  // namespace load_coverage_test

@@ -11,7 +11,7 @@
 
 #include "tests/support/program.h"
 
-namespace {
+namespace mirror_test {
 
 using namespace nilas_test;
 
@@ -86,4 +86,4 @@ TEST(Mirror, OrderFreeSumsKeepPairsOfFloesImagesToTheLastBit) {
   expect_images_to_the_last_bit("--solver eg-order-free", false);
 }
 
-}  // namespace
+}  // namespace mirror_test

@@ -10,7 +10,7 @@
 #include "tests/scenario/vessel_rows.h"
 #include "tests/support/program.h"
 
-namespace {
+namespace newton_test {
 
 using namespace nilas_test;
 using Eigen::Matrix3d;
@@ -79,4 +79,4 @@ TEST(Newton, ObliqueTowingScene) {
   verify_newton(folder.path() / "run", 0.01);
 }
 
-}  // namespace
+}  // namespace newton_test

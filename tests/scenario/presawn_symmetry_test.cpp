@@ -12,7 +12,7 @@
 #include "tests/support/mirrored.h"
 #include "tests/support/presawn.h"
 
-namespace {
+namespace presawn_symmetry_test {
 
 using namespace nilas;
 
@@ -121,4 +121,4 @@ TEST_P(PresawnImages, StayImagesToTheLastBitWithoutRoundingInTheOrderOfContacts)
   EXPECT_GT(across, 50) << "no pieces met across the plane";
 }
 
-}  // namespace
+}  // namespace presawn_symmetry_test

@@ -6,7 +6,7 @@
 
 #include <cstdio>
 
-namespace {
+namespace presawn_test {
 
 using namespace nilas;
 
@@ -89,4 +89,4 @@ TEST(PresawnOverlap, AgreesWithAllAxes) {
   EXPECT_GT(overlapping, 100);
 }
 
-}  // namespace
+}  // namespace presawn_test

@@ -6,7 +6,7 @@
 
 #include "tests/support/program.h"
 
-namespace {
+namespace rolling_test {
 
 using namespace nilas_test;
 
@@ -60,4 +60,4 @@ TEST(Rolling, SolversAndOutputsThatCannotTakeItAreRefused) {
   EXPECT_EQ(run_nilas("check ball.xml --solver auto --set output/@problems=worst", folder.path()).exit_code, 2);
 }
 
-}  // namespace
+}  // namespace rolling_test

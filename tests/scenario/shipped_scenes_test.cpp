@@ -6,7 +6,7 @@
 
 #include "tests/support/program.h"
 
-namespace {
+namespace shipped_scenes_test {
 
 using namespace nilas_test;
 
@@ -128,4 +128,4 @@ TEST(SameBits, TheSceneAsRunRunsAgainToTheSameBits) {
             Table(folder.path() / "two/steps.csv").text("state_hash"));
 }
 
-}  // namespace
+}  // namespace shipped_scenes_test

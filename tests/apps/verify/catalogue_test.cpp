@@ -8,7 +8,7 @@
 #include "apps/verify/verdicts.h"
 #include "core/base/error.h"
 
-namespace {
+namespace catalogue_test {
 
 using namespace nilas;
 using namespace nilas::verify;
@@ -96,4 +96,4 @@ TEST(Selection, WhatIsUnknownIsNamed) {
   EXPECT_THROW(nilas::verify::verify({{"D35"}, {"newton"}, {}}, 1, {}), InputError);
 }
 
-}  // namespace
+}  // namespace catalogue_test

@@ -5,7 +5,7 @@
 
 #include "core/base/error.h"
 
-namespace {
+namespace extremes_test {
 
 using namespace nilas;
 using namespace nilas::verify;
@@ -37,4 +37,4 @@ TEST(Extremes, SweepsAreShortOfGreatMassRatiosAndSaySo) {
 
 TEST(Extremes, UnknownNamesAreRefused) { EXPECT_THROW(run_extremes({{"mass"}, {}, {}}, 1, {}), InputError); }
 
-}  // namespace
+}  // namespace extremes_test

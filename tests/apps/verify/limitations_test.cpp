@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace {
+namespace limitations_test {
 
 using namespace nilas;
 using namespace nilas::verify;
@@ -32,4 +32,4 @@ TEST(Limitations, TimesHaveTwoDigitsAndNoExactValue) {
   EXPECT_NE(page.find("| a tool | time | `a.xml` | 3.1 | 1 | - |\n"), std::string::npos) << page;
 }
 
-}  // namespace
+}  // namespace limitations_test

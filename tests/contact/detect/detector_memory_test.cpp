@@ -12,7 +12,7 @@
 #include "tests/contact/detect/crowd.h"
 
 namespace nilas::detect {
-namespace {
+namespace detector_memory_test {
 
 /// Largest error of a correct depth for bodies of about a metre [m].
 constexpr double k_right_depth = 1e-9;
@@ -250,5 +250,5 @@ TEST(Detector, RefusesAStateOfOtherParts) {
   EXPECT_THROW(other.restore(ten, StateReader(wrong_axis)), InputError);
 }
 
-}  // namespace
+}  // namespace detector_memory_test
 }  // namespace nilas::detect

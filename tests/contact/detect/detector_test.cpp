@@ -13,7 +13,7 @@
 #include "tests/contact/detect/crowd.h"
 
 namespace nilas::detect {
-namespace {
+namespace detector_test {
 
 TEST(Detector, PointsComeInOrder) {
   const auto floes = crowd(60, 1);
@@ -187,5 +187,5 @@ TEST(ContactDetector, APoseThatIsNoNumberIsRefused) {
   }
 }
 
-}  // namespace
+}  // namespace detector_test
 }  // namespace nilas::detect

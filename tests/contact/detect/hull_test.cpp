@@ -11,7 +11,7 @@
 #include "tests/support/random_vectors.h"
 
 namespace nilas::detect {
-namespace {
+namespace hull_test {
 
 /// A sphere of facets stretched to an ellipsoid. Each triangle of an icosahedron is split in four `levels` times.
 geometry::TriangleMesh ellipsoid(int levels, const Vec3& half_axes) {
@@ -218,5 +218,5 @@ TEST(HullContacts, FlatPlatingOfManyTrianglesTouchesAsOneFace) {
   }
 }
 
-}  // namespace
+}  // namespace hull_test
 }  // namespace nilas::detect

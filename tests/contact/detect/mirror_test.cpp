@@ -12,7 +12,7 @@
 #include "tests/support/mirrored.h"
 
 namespace nilas::detect {
-namespace {
+namespace mirror_test {
 
 using test::mirrored;
 
@@ -117,5 +117,5 @@ TEST(MirroredPair, ImagesOfEachOtherTouchOnThePlaneBetweenThem) {
   EXPECT_GT(touching, 5000);
 }
 
-}  // namespace
+}  // namespace mirror_test
 }  // namespace nilas::detect

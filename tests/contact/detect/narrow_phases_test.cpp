@@ -8,7 +8,7 @@
 #include "tests/support/random_vectors.h"
 
 namespace nilas::detect {
-namespace {
+namespace narrow_phases_test {
 
 constexpr double k_margin = 0.01;
 
@@ -134,5 +134,5 @@ TEST(NarrowPhases, FclsContactsAreJudgedByTheOracle) {
   }
 }
 
-}  // namespace
+}  // namespace narrow_phases_test
 }  // namespace nilas::detect

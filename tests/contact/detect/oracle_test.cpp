@@ -13,7 +13,7 @@ namespace nilas::pairs {
 
 void PrintTo(const PairClass& c, std::ostream* out) { *out << c.name; }
 
-namespace {
+namespace oracle_test {
 
 class OracleTest : public testing::TestWithParam<PairClass> {};
 
@@ -276,5 +276,5 @@ TEST(Oracle, DistanceOfTwoRims) {
   EXPECT_NEAR((gap.n - Vec3(0.6, 0, 0.8)).norm(), 0, 1e-7);
 }
 
-}  // namespace
+}  // namespace oracle_test
 }  // namespace nilas::pairs

@@ -8,7 +8,7 @@
 #include "tests/support/random_vectors.h"
 
 namespace nilas::detect {
-namespace {
+namespace primitives_test {
 
 constexpr double k_exact = 1e-14;
 
@@ -260,5 +260,5 @@ TEST(Primitives, CylinderAndBoxAtAnyAttitudeHaveTheTrueDistance) {
   EXPECT_LT(worst, 1e-6);
 }
 
-}  // namespace
+}  // namespace primitives_test
 }  // namespace nilas::detect

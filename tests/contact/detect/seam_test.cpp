@@ -10,7 +10,7 @@
 #include "tests/support/random_vectors.h"
 
 namespace nilas::detect {
-namespace {
+namespace seam_test {
 
 constexpr double k_depth = 1e-3;
 
@@ -265,5 +265,5 @@ TEST(Seams, ABodyDeepInAPartedOneIsFound) {
   EXPECT_GT(deep, 2000);
 }
 
-}  // namespace
+}  // namespace seam_test
 }  // namespace nilas::detect

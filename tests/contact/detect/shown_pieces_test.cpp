@@ -6,7 +6,7 @@
 #include "tests/contact/detect/bodies_of_tests.h"
 
 namespace nilas::detect {
-namespace {
+namespace shown_pieces_test {
 
 double area_of(const std::vector<Vec3>& loop) {
   Vec3 twice = Vec3::Zero();
@@ -70,5 +70,5 @@ TEST(ShownPieces, OfBoxesThatOverlapLeaveOutWhatIsInside) {
   EXPECT_NEAR(sum, 0, k_tolerance);
 }
 
-}  // namespace
+}  // namespace shown_pieces_test
 }  // namespace nilas::detect

@@ -9,7 +9,7 @@
 #include "tests/support/collision/swept_pairs.h"
 
 namespace nilas::detect {
-namespace {
+namespace swept_test {
 
 BodyMotion motion_of(const oracle::Way& way) { return {way.p, way.q.toRotationMatrix(), way.way, way.turn}; }
 
@@ -183,5 +183,5 @@ TEST(Swept, FarFromTheOriginTheTimeIsTheSame) {
   }
 }
 
-}  // namespace
+}  // namespace swept_test
 }  // namespace nilas::detect

@@ -14,7 +14,7 @@
 #include "tests/support/refusal.h"
 
 namespace nilas::contact {
-namespace {
+namespace fclib_io_test {
 
 using nilas_test::ScratchFolder;
 namespace fs = std::filesystem;
@@ -323,5 +323,5 @@ TEST(FclibIo, DamagedBytesAreRefusedOrHarmless) {
   EXPECT_GT(bad, k_files / 10);
 }
 
-}  // namespace
+}  // namespace fclib_io_test
 }  // namespace nilas::contact

@@ -8,7 +8,7 @@
 #include "contact/measure/measure.h"
 
 namespace nilas::contact {
-namespace {
+namespace recorded_problems_test {
 
 TEST(OwnProblems, AreFiveSmallFiles) {
   const auto files = test::own_problems();
@@ -33,5 +33,5 @@ TEST(OwnProblems, LevelIceHasContactsWithALimitOfForce) {
   EXPECT_TRUE(std::any_of(limits.begin(), limits.end(), [](double limit) { return std::isfinite(limit); }));
 }
 
-}  // namespace
+}  // namespace recorded_problems_test
 }  // namespace nilas::contact

@@ -7,7 +7,7 @@
 #include "tests/support/random_vectors.h"
 
 namespace nilas::contact {
-namespace {
+namespace cone_test {
 
 constexpr double k_endless = std::numeric_limits<double>::infinity();
 
@@ -132,5 +132,5 @@ TEST(Cone, WithoutFrictionNothingBelowTheTipIsInside) {
   EXPECT_EQ(project_pyramid(Vec3(-2, 0, 0), 0, 8, 5), Vec3(Vec3::Zero()));
 }
 
-}  // namespace
+}  // namespace cone_test
 }  // namespace nilas::contact

@@ -7,7 +7,7 @@
 #include "core/base/error.h"
 
 namespace nilas::contact {
-namespace {
+namespace friction_test {
 
 TEST(Friction, ExactPairWinsOverOneWildcardOverTwo) {
   FrictionTable table;
@@ -75,5 +75,5 @@ TEST(Friction, RefusesWrongValues) {
   EXPECT_THROW(table.add("b", "a", {0.3, 0.2, 0}), InputError);
 }
 
-}  // namespace
+}  // namespace friction_test
 }  // namespace nilas::contact

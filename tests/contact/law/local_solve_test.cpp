@@ -9,7 +9,7 @@
 #include "tests/support/random_vectors.h"
 
 namespace nilas::contact {
-namespace {
+namespace local_solve_test {
 
 constexpr double k_none = std::numeric_limits<double>::infinity();
 constexpr int k_facets = 8;
@@ -191,5 +191,5 @@ TEST(LocalSolve, BoxFrictionReachesItsCorner) {
   EXPECT_EQ(solve_contact(Law::pyramid, k_facets, block, Vec3(-2, 5, -3), start), Vec3(2, -1, 1));
 }
 
-}  // namespace
+}  // namespace local_solve_test
 }  // namespace nilas::contact

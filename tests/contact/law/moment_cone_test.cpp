@@ -12,7 +12,7 @@
 #include "tests/support/scratch_folder.h"
 
 namespace nilas::contact {
-namespace {
+namespace moment_cone_test {
 
 using Vec6d = Eigen::Matrix<double, 6, 1>;
 
@@ -211,5 +211,5 @@ TEST(RollingFriction, SolversWithoutItSaySo) {
   EXPECT_THROW(demand_moments(find_solver("nsgs"), Law::ccp), InputError);
 }
 
-}  // namespace
+}  // namespace moment_cone_test
 }  // namespace nilas::contact

@@ -6,7 +6,7 @@
 #include "contact/registry.h"
 #include "tests/support/problems/cone_problems.h"
 
-namespace {
+namespace contact_counts_test {
 
 using namespace nilas;
 using namespace nilas::contact;
@@ -30,4 +30,4 @@ TEST(ContactCounts, AParticleLeavesSticksOrSlides) {
 
 TEST(ContactCounts, AStackAtRestSticksAllOver) { EXPECT_EQ(counts_of(test::box_stack({1, 1, 1}, 0.5)).sticking, 12); }
 
-}  // namespace
+}  // namespace contact_counts_test

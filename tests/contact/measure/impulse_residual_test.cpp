@@ -8,7 +8,7 @@
 #include "contact/measure/measure.h"
 
 namespace nilas::contact {
-namespace {
+namespace impulse_residual_test {
 
 constexpr double k_mass = 2, k_mu = 0.3, k_weight = 0.2, k_slide = 1;  // kg, -, N s, N s
 
@@ -74,5 +74,5 @@ TEST(ImpulseResidual, TheHoverOfAConvexifiedLawIsNoLoad) {
   EXPECT_GT(residual_of(problem, exact).coulomb.norm(), 0.1);
 }
 
-}  // namespace
+}  // namespace impulse_residual_test
 }  // namespace nilas::contact

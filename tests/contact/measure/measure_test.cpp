@@ -8,7 +8,7 @@
 #include "tests/support/problems/problem_factory.h"
 
 namespace nilas::contact {
-namespace {
+namespace measure_test {
 
 /// A particle of 2 kg on a fixed plane whose normal is its first axis: W = 1/2, d = 1/2, u = v.
 ContactProblem particle(Law law, double mu) { return test::particle(law, 2, mu, Vec3::Zero()); }
@@ -191,5 +191,5 @@ TEST(Measure, ColumnsInOrder) {
   EXPECT_EQ(m.*residual_columns()[8].member, 3);
 }
 
-}  // namespace
+}  // namespace measure_test
 }  // namespace nilas::contact

@@ -8,7 +8,7 @@
 #include "core/base/random.h"
 
 namespace nilas::contact {
-namespace {
+namespace block_fill_test {
 
 using Pattern = std::vector<std::set<int>>;
 
@@ -74,5 +74,5 @@ TEST(BlockFill, IsWhatEliminationFills) {
   EXPECT_GT(with_both_parts, 0);
 }
 
-}  // namespace
+}  // namespace block_fill_test
 }  // namespace nilas::contact

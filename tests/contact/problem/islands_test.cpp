@@ -7,7 +7,7 @@
 #include "tests/support/problems/problem_factory.h"
 
 namespace nilas::contact {
-namespace {
+namespace islands_test {
 
 ContactProblem graph(int blocks, const std::vector<ContactProblem::Pair>& pairs) {
   ContactProblem problem;
@@ -90,5 +90,5 @@ TEST(Coefficients, AreThoseOfTheReducedProblem) {
 
 TEST(Islands, NoContactsNoIslands) { EXPECT_TRUE(find_islands(graph(3, {})).empty()); }
 
-}  // namespace
+}  // namespace islands_test
 }  // namespace nilas::contact

@@ -8,7 +8,7 @@
 #include "tests/support/problems/problem_factory.h"
 
 namespace nilas::contact {
-namespace {
+namespace prepared_problem_test {
 
 TEST(PreparedProblem, HoldsWhatFollowsFromTheProblem) {
   const ContactProblem problem = test::random_heap(2, 6, 9, 0.4);
@@ -36,5 +36,5 @@ TEST(PreparedProblem, RefusesListsOfDifferentLengths) {
   EXPECT_THROW(PreparedProblem{problem}, ContractError);
 }
 
-}  // namespace
+}  // namespace prepared_problem_test
 }  // namespace nilas::contact

@@ -10,7 +10,7 @@
 #include "tests/support/refusal.h"
 
 namespace nilas::contact {
-namespace {
+namespace problem_test {
 
 using test::add_body;
 using test::random_heap;
@@ -163,5 +163,5 @@ TEST(Problem, RandomHeapsAreValid) {
   EXPECT_NO_THROW(validate(ContactProblem{}));
 }
 
-}  // namespace
+}  // namespace problem_test
 }  // namespace nilas::contact

@@ -9,7 +9,7 @@
 #include "tests/support/problems/problem_factory.h"
 
 namespace nilas::contact {
-namespace {
+namespace reducible_test {
 
 /// `count` particles of 1 kg that fall on one body of 300 kg. All contacts share the body.
 ContactProblem rain(int count) {
@@ -82,5 +82,5 @@ TEST(Reducible, AutoSolvesWhatIsNotAndNewtonSaysSo) {
   EXPECT_NE(refused.message.find("3000 contacts"), std::string::npos) << refused.message;
 }
 
-}  // namespace
+}  // namespace reducible_test
 }  // namespace nilas::contact

@@ -14,7 +14,7 @@
 #include "tests/support/test_name.h"
 
 namespace nilas::solvers {
-namespace {
+namespace artefacts_test {
 
 constexpr double k_gravity = 9.81;
 constexpr double k_step = 0.01;
@@ -410,5 +410,5 @@ INSTANTIATE_TEST_SUITE_P(All, CoulombArtefacts, testing::ValuesIn(solvers_of(Law
 INSTANTIATE_TEST_SUITE_P(All, BoxArtefacts, testing::ValuesIn(solvers_of(Law::pyramid)), name_of);
 INSTANTIATE_TEST_SUITE_P(All, PolygonArtefacts, testing::ValuesIn(solvers_of(Law::pyramid_k)), name_of);
 
-}  // namespace
+}  // namespace artefacts_test
 }  // namespace nilas::solvers

@@ -15,7 +15,7 @@
 #include "tests/support/problems/problem_factory.h"
 
 namespace nilas::solvers {
-namespace {
+namespace auto_test {
 
 template <class Problem>
 contact::ContactSolution solve(const Problem& problem, const VecX& guess = {}, double tolerance = 1e-10) {
@@ -214,5 +214,5 @@ TEST(Files, AreSolvedShuffledTurnedAndScaled) {
   }
 }
 
-}  // namespace
+}  // namespace auto_test
 }  // namespace nilas::solvers

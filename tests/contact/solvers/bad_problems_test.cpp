@@ -15,7 +15,7 @@
 #include "tests/support/test_name.h"
 
 namespace nilas::solvers {
-namespace {
+namespace bad_problems_test {
 
 constexpr double k_nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double k_infinite = std::numeric_limits<double>::infinity();
@@ -151,5 +151,5 @@ std::vector<std::string> all_solvers() {
 INSTANTIATE_TEST_SUITE_P(All, BadProblems, testing::ValuesIn(all_solvers()),
                          [](const auto& each) { return test::test_name(each.param); });
 
-}  // namespace
+}  // namespace bad_problems_test
 }  // namespace nilas::solvers

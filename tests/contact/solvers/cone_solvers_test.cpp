@@ -11,7 +11,7 @@
 #include "tests/support/problems/cone_problems.h"
 
 namespace nilas::solvers {
-namespace {
+namespace cone_solvers_test {
 
 constexpr double k_infinite = std::numeric_limits<double>::infinity();
 
@@ -209,5 +209,5 @@ TEST(Ipm, ScalingTakesBothPointsToOne) {
   }
 }
 
-}  // namespace
+}  // namespace cone_solvers_test
 }  // namespace nilas::solvers

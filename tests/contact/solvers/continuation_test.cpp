@@ -7,7 +7,7 @@
 #include "tests/support/problems/problem_factory.h"
 
 namespace nilas::solvers {
-namespace {
+namespace continuation_test {
 
 TEST(Continuation, ReachesFullFriction) {
   for (std::uint64_t seed = 0; seed < 5; ++seed) {
@@ -83,5 +83,5 @@ TEST_F(ContinuationLimits, EndsWithItsTime) {
   EXPECT_LE(solution.iterations, 1);
 }
 
-}  // namespace
+}  // namespace continuation_test
 }  // namespace nilas::solvers

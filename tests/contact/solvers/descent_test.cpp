@@ -13,7 +13,7 @@
 #include "tests/support/problems/problem_factory.h"
 
 namespace nilas::solvers {
-namespace {
+namespace descent_test {
 
 constexpr double k_gravity = 9.81;
 constexpr double k_step = 0.01;
@@ -165,5 +165,5 @@ TEST(Enumerate, SaysWhenThereAreTooMany) {
   EXPECT_NE(s.message.find("up to 8 contacts"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace descent_test
 }  // namespace nilas::solvers

@@ -15,7 +15,7 @@
 #include "tests/support/test_name.h"
 
 namespace nilas::solvers {
-namespace {
+namespace invariance_test {
 
 constexpr double k_tolerance = 1e-10;
 /// Velocities may differ by the tolerance times the condition of these problems [m/s].
@@ -302,5 +302,5 @@ TEST_P(Invariance, ManyIslandsShareTheWallTime) {
 
 INSTANTIATE_TEST_SUITE_P(AllSolvers, Invariance, testing::ValuesIn(subjects()), name_of);
 
-}  // namespace
+}  // namespace invariance_test
 }  // namespace nilas::solvers

@@ -8,7 +8,7 @@
 #include "tests/support/problems/problem_factory.h"
 
 namespace nilas::solvers {
-namespace {
+namespace newton_test {
 
 constexpr Law k_laws[] = {Law::coulomb, Law::ccp, Law::pyramid, Law::pyramid_k, Law::frictionless};
 
@@ -136,5 +136,5 @@ TEST(Newton, NoContacts) {
   EXPECT_EQ(solve(contact::LocalProblem{}).status, contact::SolveStatus::converged);
 }
 
-}  // namespace
+}  // namespace newton_test
 }  // namespace nilas::solvers

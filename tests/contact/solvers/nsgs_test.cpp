@@ -11,7 +11,7 @@
 #include "tests/support/problems/problem_factory.h"
 
 namespace nilas::solvers {
-namespace {
+namespace nsgs_test {
 
 constexpr double k_gravity = 9.81;
 constexpr double k_step = 0.01;
@@ -184,5 +184,5 @@ TEST(Nsgs, RefusesWhatIsNotFinite) {
   EXPECT_EQ(solve(problem).status, contact::SolveStatus::numerical_error);
 }
 
-}  // namespace
+}  // namespace nsgs_test
 }  // namespace nilas::solvers

@@ -12,7 +12,7 @@
 #include "tests/support/problems/problem_factory.h"
 
 namespace nilas::solvers {
-namespace {
+namespace order_free_test {
 
 constexpr int k_iterations = 400;
 
@@ -210,5 +210,5 @@ TEST(Colouring, RunsOfOneColourShareNoBlock) {
   }
 }
 
-}  // namespace
+}  // namespace order_free_test
 }  // namespace nilas::solvers

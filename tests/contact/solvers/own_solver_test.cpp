@@ -8,7 +8,7 @@
 #include "tests/support/problems/cone_problems.h"
 
 namespace nilas::solvers {
-namespace {
+namespace own_solver_test {
 
 constexpr double k_gravity = 9.81, k_step = 0.01;
 constexpr double k_friction = 0.3, k_mass = 2;
@@ -81,5 +81,5 @@ TEST(OwnSolver, RefusesWhatItDoesNotKnow) {
   for (const Law law : {Law::pyramid, Law::pyramid_k}) EXPECT_THROW(solver.solve(sliding_cube(law), {}), InputError);
 }
 
-}  // namespace
+}  // namespace own_solver_test
 }  // namespace nilas::solvers

@@ -8,7 +8,7 @@
 #include "tests/support/problems/problem_factory.h"
 
 namespace nilas::solvers {
-namespace {
+namespace pgs_convergence_test {
 
 constexpr double k_gravity = 9.81;
 constexpr double k_step = 0.01;
@@ -184,5 +184,5 @@ TEST(PgsConvergence, BackwardSweepsCarryAPushDownAChain) {
   for (int k = 0; k < n; ++k) EXPECT_NEAR(s.v[6 * k], 1.0 / n, 1e-6);
 }
 
-}  // namespace
+}  // namespace pgs_convergence_test
 }  // namespace nilas::solvers

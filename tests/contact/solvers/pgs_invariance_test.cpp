@@ -9,7 +9,7 @@
 #include "tests/support/problems/problem_factory.h"
 
 namespace nilas::solvers {
-namespace {
+namespace pgs_invariance_test {
 
 contact::ContactSolution solve(const contact::ContactProblem& problem, int threads = 1) {
   return PgsSolver({.shared = {.tolerance = 1e-12, .max_iterations = 500000, .threads = threads}}).solve(problem, {});
@@ -199,5 +199,5 @@ TEST(PgsInvariance, ContactImpulsesCarryNoMomentumOfTheirOwn) {
   EXPECT_LT(angular.norm(), 2e-14 * std::max(1.0, s.r.norm()));
 }
 
-}  // namespace
+}  // namespace pgs_invariance_test
 }  // namespace nilas::solvers

@@ -9,7 +9,7 @@
 #include "tests/support/problems/cone_problems.h"
 
 namespace nilas::solvers {
-namespace {
+namespace pgs_test {
 
 contact::ContactSolution solve(const contact::ContactProblem& problem, double tolerance = 1e-12,
                                const VecX& guess = {}) {
@@ -197,5 +197,5 @@ TEST(Pgs, AGuessIsMadeAdmissible) {
     EXPECT_LT((solve(problem, 1e-13, guess).u - cold.u).norm(), 1e-12);
 }
 
-}  // namespace
+}  // namespace pgs_test
 }  // namespace nilas::solvers

@@ -5,7 +5,7 @@
 #include "tests/contact/fclib/recorded_problems.h"
 
 namespace nilas::solvers {
-namespace {
+namespace sweeps_fclib_test {
 
 /// Checks the law's residual that a solver reaches within two seconds, where it reports convergence.
 void expect_solved(const std::string& solver, const std::filesystem::path& file) {
@@ -46,5 +46,5 @@ TEST(RecordedProblems, AcceleratedProjectedGradient) {
                  "local_problem_test", "arch-9", "vessel-200", "Rover4396"});
 }
 
-}  // namespace
+}  // namespace sweeps_fclib_test
 }  // namespace nilas::solvers

@@ -6,7 +6,7 @@
 #include "tests/support/problems/cone_problems.h"
 
 namespace nilas::solvers {
-namespace {
+namespace with_retry_test {
 
 constexpr double k_tolerance = 1e-9;
 
@@ -44,5 +44,5 @@ TEST(WithRetry, TheBetterOfTwoFailuresStays) {
   }
 }
 
-}  // namespace
+}  // namespace with_retry_test
 }  // namespace nilas::solvers

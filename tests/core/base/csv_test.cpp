@@ -10,7 +10,7 @@
 #include "tests/support/scratch_folder.h"
 
 namespace nilas {
-namespace {
+namespace csv_test {
 
 class CsvTest : public testing::Test {
  protected:
@@ -102,5 +102,5 @@ TEST_F(CsvTest, RecordsAreCompleteRowsAsText) {
   EXPECT_EQ(records.bytes, 12);
 }
 
-}  // namespace
+}  // namespace csv_test
 }  // namespace nilas

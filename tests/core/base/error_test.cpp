@@ -5,7 +5,7 @@
 #include "tests/support/refusal.h"
 
 namespace nilas {
-namespace {
+namespace error_test {
 
 TEST(Fault, TextNamesWhatIsKnown) {
   EXPECT_EQ((Fault{"a.xml", 3, 7, "<floe>", "is wrong"}.text()), "a.xml:3:7: <floe>: is wrong");
@@ -47,5 +47,5 @@ TEST(NearestName, SaysNothingWhenNothingIsClose) {
 
 TEST(NearestName, TheFirstOfEquallyNearNamesWins) { EXPECT_EQ(nearest_name("bat", {"cat", "hat"}), "cat"); }
 
-}  // namespace
+}  // namespace error_test
 }  // namespace nilas

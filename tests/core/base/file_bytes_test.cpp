@@ -6,7 +6,7 @@
 #include "tests/support/scratch_folder.h"
 
 namespace nilas {
-namespace {
+namespace file_bytes_test {
 
 TEST(FileBytes, AreThoseOfTheFile) {
   const test::ScratchFolder folder;
@@ -45,5 +45,5 @@ TEST(IsFolder, TellsFoldersFromFilesAndFromNothing) {
     EXPECT_THROW(is_folder(folder / name), FileError) << name;
 }
 
-}  // namespace
+}  // namespace file_bytes_test
 }  // namespace nilas

@@ -10,7 +10,7 @@
 #include "tests/support/scratch_folder.h"
 
 namespace nilas {
-namespace {
+namespace log_test {
 
 TEST(WarningCounts, TheFirstOfAKindIsShownAllAreCounted) {
   std::ostringstream shown;
@@ -49,5 +49,5 @@ TEST(MakeLogger, AFileThatCannotBeOpenedIsAFileError) {
   EXPECT_THROW(make_logger("off", "/dev/null/x.log"), FileError);
 }
 
-}  // namespace
+}  // namespace log_test
 }  // namespace nilas

@@ -11,7 +11,7 @@
 #include "core/base/random.h"
 
 namespace nilas {
-namespace {
+namespace order_free_sum_test {
 
 double sum_of(const std::vector<double>& terms, double sign) {
   OrderFreeSum sum;
@@ -82,5 +82,5 @@ TEST(OrderFreeSum, OfNothingAndOfTheExtremes) {
   }
 }
 
-}  // namespace
+}  // namespace order_free_sum_test
 }  // namespace nilas

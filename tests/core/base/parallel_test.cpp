@@ -7,7 +7,7 @@
 #include <vector>
 
 namespace nilas {
-namespace {
+namespace parallel_test {
 
 TEST(ParallelFor, EveryItemOnceAndTheSameBitsForAnyThreadCount) {
   const auto run = [](int threads) {
@@ -49,5 +49,5 @@ TEST(ParallelFor, WhatAnItemThrowsReachesTheCaller) {
   }
 }
 
-}  // namespace
+}  // namespace parallel_test
 }  // namespace nilas

@@ -7,7 +7,7 @@
 #include <vector>
 
 namespace nilas {
-namespace {
+namespace random_test {
 
 constexpr int k_samples = 200000;
 
@@ -132,5 +132,5 @@ TEST(RandomStream, LognormalWithoutSpreadIsItsMean) {
   for (int i = 0; i < 10; ++i) EXPECT_DOUBLE_EQ(stream.lognormal(3, 0), 3);
 }
 
-}  // namespace
+}  // namespace random_test
 }  // namespace nilas

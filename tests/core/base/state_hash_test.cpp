@@ -4,7 +4,7 @@
 #include "core/base/math.h"
 
 namespace nilas {
-namespace {
+namespace state_hash_test {
 
 std::uint64_t hash_of(const Vec3& v) {
   StateHash hash;
@@ -27,5 +27,5 @@ TEST(StateHash, VectorsAreTheirNumbersInTurn) {
   EXPECT_EQ(single.value(), hash_of({0.1, 2, 3}));
 }
 
-}  // namespace
+}  // namespace state_hash_test
 }  // namespace nilas

@@ -7,7 +7,7 @@
 
 #include "core/base/error.h"
 
-namespace {
+namespace statistics_test {
 
 using namespace nilas;
 
@@ -40,4 +40,4 @@ TEST(Statistics, PercentilesAreLinearBetweenNeighbours) {
   EXPECT_THROW(percentile_of({}, 0.5), ContractError);
 }
 
-}  // namespace
+}  // namespace statistics_test

@@ -5,7 +5,7 @@
 #include "core/base/random.h"
 
 namespace nilas {
-namespace {
+namespace union_find_test {
 
 using Groups = std::vector<std::vector<int>>;
 
@@ -55,5 +55,5 @@ TEST(UnionFind, RandomJoinsAgreeWithLabels) {
   }
 }
 
-}  // namespace
+}  // namespace union_find_test
 }  // namespace nilas

@@ -7,7 +7,7 @@
 #include "tests/support/random_vectors.h"
 
 namespace nilas::bodies {
-namespace {
+namespace bodies_test {
 
 BodySpec floe(const std::string& name) {
   BodySpec spec;
@@ -120,5 +120,5 @@ TEST(Bodies, WrongSpecsBreakTheContractAndLeaveNothing) {
   EXPECT_TRUE(bodies.mass.empty());
 }
 
-}  // namespace
+}  // namespace bodies_test
 }  // namespace nilas::bodies

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace {
+namespace free_rotation_test {
 
 using namespace nilas;
 using namespace nilas::bodies;
@@ -34,4 +34,4 @@ TEST(FreeRotation, IsItsOwnImageInTime) {
   EXPECT_LT((w + spin).norm(), 1e-12);
 }
 
-}  // namespace
+}  // namespace free_rotation_test

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace nilas::bodies {
-namespace {
+namespace ice_properties_test {
 
 TEST(WeakLines, SegmentsNearAnOutlineAreKeptAboutItsCentre) {
   const std::vector<Vec2> square{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
@@ -15,5 +15,5 @@ TEST(WeakLines, SegmentsNearAnOutlineAreKeptAboutItsCentre) {
   EXPECT_EQ(near[1].strength, 0.3);
 }
 
-}  // namespace
+}  // namespace ice_properties_test
 }  // namespace nilas::bodies

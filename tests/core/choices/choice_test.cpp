@@ -15,7 +15,7 @@
 #include "core/choices/vessel_choices.h"
 
 namespace nilas {
-namespace {
+namespace choice_test {
 
 template <class Enum>
 class EachChoice : public testing::Test {};
@@ -62,5 +62,5 @@ TEST(SolverFacts, SayWhatIsTakenInstead) {
   EXPECT_NE(moment_problem(SolverName::nsgs, Law::ccp), std::nullopt);
 }
 
-}  // namespace
+}  // namespace choice_test
 }  // namespace nilas

@@ -11,7 +11,7 @@
 #include "tests/core/field/field_measures.h"
 
 namespace nilas::field {
-namespace {
+namespace dense_packing_test {
 
 void expect_packed(const PackedSpec& spec, const FieldResult& field, double largest) {
   const double region = (spec.high - spec.low).prod();
@@ -139,5 +139,5 @@ TEST(Library, AsLibraryWithoutOneIsRefused) {
   EXPECT_THROW(pack_field(spec), InputError);
 }
 
-}  // namespace
+}  // namespace dense_packing_test
 }  // namespace nilas::field

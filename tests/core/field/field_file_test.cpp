@@ -10,7 +10,7 @@
 #include "tests/support/scratch_folder.h"
 
 namespace nilas::field {
-namespace {
+namespace field_file_test {
 
 namespace fs = std::filesystem;
 
@@ -120,5 +120,5 @@ TEST_F(FieldFile, FaultsOfTheWholeFile) {
   EXPECT_THROW(write_field({}, folder_ / "no_such_folder" / "f.json"), FileError);
 }
 
-}  // namespace
+}  // namespace field_file_test
 }  // namespace nilas::field

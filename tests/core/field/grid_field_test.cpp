@@ -11,7 +11,7 @@
 #include "tests/support/refusal.h"
 
 namespace nilas::field {
-namespace {
+namespace grid_field_test {
 
 GridSpec channel(int rows, int columns) {
   GridSpec spec;
@@ -128,5 +128,5 @@ TEST(GridField, WrongParametersAreNamed) {
   EXPECT_PRED2(test::mentions, refusal([](auto& s) { s.high = s.low; }), "region: found 0");
 }
 
-}  // namespace
+}  // namespace grid_field_test
 }  // namespace nilas::field

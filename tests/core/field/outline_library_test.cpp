@@ -9,7 +9,7 @@
 #include "tests/support/scratch_folder.h"
 
 namespace nilas::field {
-namespace {
+namespace outline_library_test {
 
 class OutlineLibrary : public testing::Test {
  protected:
@@ -48,5 +48,5 @@ TEST_F(OutlineLibrary, NamesTheOutlineAtFault) {
   EXPECT_THROW(read_outlines(folder_.path() / "none.json"), FileError);
 }
 
-}  // namespace
+}  // namespace outline_library_test
 }  // namespace nilas::field

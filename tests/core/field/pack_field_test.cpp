@@ -12,7 +12,7 @@
 #include "tests/support/refusal.h"
 
 namespace nilas::field {
-namespace {
+namespace pack_field_test {
 
 PackedSpec spec_of(double length, double width, double concentration, FloeShape shape = FloeShape::polygon) {
   PackedSpec spec;
@@ -240,5 +240,5 @@ TEST(PackField, WrongParametersAreNamed) {
   EXPECT_PRED2(test::mentions, refusal([](auto& s) { s.high = s.low + Vec2(0.1, 0.1); }), "less than half a floe");
 }
 
-}  // namespace
+}  // namespace pack_field_test
 }  // namespace nilas::field

@@ -7,7 +7,7 @@
 #include "tests/core/field/field_measures.h"
 
 namespace nilas::field {
-namespace {
+namespace sheet_field_test {
 
 const std::vector<Vec2> k_hull{{2, -0.5}, {5, -0.5}, {6, 0}, {5, 0.5}, {2, 0.5}};
 constexpr double k_hull_area = 3.5;
@@ -89,5 +89,5 @@ TEST(Channel, ABroadHullCutsIntoTheSheets) {
   EXPECT_NEAR(sheets, 72 - beyond, 1e-12);
 }
 
-}  // namespace
+}  // namespace sheet_field_test
 }  // namespace nilas::field

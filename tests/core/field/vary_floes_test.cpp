@@ -10,7 +10,7 @@
 #include "core/field/sizes/distribution_statistics.h"
 
 namespace nilas::field {
-namespace {
+namespace vary_floes_test {
 
 constexpr double k_infinite = std::numeric_limits<double>::infinity();
 constexpr FloeProperty k_thickness = FloeProperty::thickness, k_density = FloeProperty::density,
@@ -192,5 +192,5 @@ TEST_F(Texture, PointsFollowTheDistributionsAndTheirCorrelation) {
   EXPECT_NEAR(score_correlation(values[0], values[2]), 0.4, 4 * (1 - 0.16) / std::sqrt(n));
 }
 
-}  // namespace
+}  // namespace vary_floes_test
 }  // namespace nilas::field

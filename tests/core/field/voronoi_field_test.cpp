@@ -11,7 +11,7 @@
 #include "tests/support/refusal.h"
 
 namespace nilas::field {
-namespace {
+namespace voronoi_field_test {
 
 PackedSpec spec_of(double concentration, std::uint64_t seed) {
   PackedSpec spec;
@@ -114,5 +114,5 @@ TEST(PowerDiagram, ASiteOutweighedHasNoCell) {
   EXPECT_NEAR(cells[0].area + cells[2].area, 4, 1e-14);
 }
 
-}  // namespace
+}  // namespace voronoi_field_test
 }  // namespace nilas::field

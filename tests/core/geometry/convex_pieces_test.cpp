@@ -7,7 +7,7 @@
 #include "tests/core/bodies/solids.h"
 
 namespace nilas::geometry {
-namespace {
+namespace convex_pieces_test {
 
 /// Convex, counter-clockwise, over the outline's vertices, every outline edge used once, areas adding up.
 void expect_partition(const std::vector<Vec2>& outline) {
@@ -100,5 +100,5 @@ TEST(ConvexPieces, WrongOutlinesAreRefused) {
   EXPECT_THROW(convex_pieces({{0, 0}, {1, 0}, {std::nan(""), 1}}), InputError);
 }
 
-}  // namespace
+}  // namespace convex_pieces_test
 }  // namespace nilas::geometry

@@ -15,7 +15,7 @@
 #include "tests/support/tetrahedron.h"
 
 namespace nilas::geometry {
-namespace {
+namespace mass_properties_test {
 
 constexpr double k_exact = 1e-12;  // of the largest entry
 
@@ -265,5 +265,5 @@ TEST(PhysicallyValidInertia, TriangleInequalityAndSigns) {
   EXPECT_FALSE(physically_valid_inertia(Mat3::Constant(std::nan(""))));
 }
 
-}  // namespace
+}  // namespace mass_properties_test
 }  // namespace nilas::geometry

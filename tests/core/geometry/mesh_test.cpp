@@ -8,7 +8,7 @@
 #include "tests/support/tetrahedron.h"
 
 namespace nilas::geometry {
-namespace {
+namespace mesh_test {
 
 TriangleMesh box_mesh() { return box_shape({2, 3, 4}).surface; }
 
@@ -114,5 +114,5 @@ TEST(MeshDefects, AVertexThatIsNotThereBreaksTheContract) {
   EXPECT_THROW(find_defects(mesh), ContractError);
 }
 
-}  // namespace
+}  // namespace mesh_test
 }  // namespace nilas::geometry

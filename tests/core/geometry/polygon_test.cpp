@@ -7,7 +7,7 @@
 #include "tests/core/bodies/solids.h"
 
 namespace nilas::geometry {
-namespace {
+namespace polygon_test {
 
 const std::vector<Vec2> k_square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
 
@@ -163,5 +163,5 @@ TEST(ConvexOverlap, DoesNotDependOnTheFrame) {
   }
 }
 
-}  // namespace
+}  // namespace polygon_test
 }  // namespace nilas::geometry

@@ -10,7 +10,7 @@
 #include "tests/support/refusal.h"
 
 namespace nilas::geometry {
-namespace {
+namespace polytope_test {
 
 /// Sum over faces of offset times area / 3.
 double volume(const ConvexPolytope& p) {
@@ -193,5 +193,5 @@ TEST(MakePolytope, AWeldedTriangleWithoutEdgesIsLeftOut) {
   EXPECT_EQ(make_polytope(mesh, 1e-6).faces.size(), 8u);
 }
 
-}  // namespace
+}  // namespace polytope_test
 }  // namespace nilas::geometry

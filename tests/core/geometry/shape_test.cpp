@@ -8,7 +8,7 @@
 #include "tests/support/about_centroid.h"
 
 namespace nilas::geometry {
-namespace {
+namespace shape_test {
 
 double parts_volume(const Shape& shape) {
   double sum = 0;
@@ -125,5 +125,5 @@ TEST(MeshShape, BoundsSurfaceAndParts) {
   EXPECT_DOUBLE_EQ(mesh_shape(bodies::octahedron(), {make_box({4, 4, 4})}).bounding_radius, std::sqrt(12));
 }
 
-}  // namespace
+}  // namespace shape_test
 }  // namespace nilas::geometry

@@ -15,7 +15,7 @@
 #include "tests/support/tetrahedron.h"
 
 namespace nilas::geometry {
-namespace {
+namespace stl_test {
 
 namespace fs = std::filesystem;
 
@@ -180,5 +180,5 @@ TEST_F(Stl, CoordinatesBeyondFloatAreNotWritten) {
       InputError);
 }
 
-}  // namespace
+}  // namespace stl_test
 }  // namespace nilas::geometry

@@ -7,7 +7,7 @@
 #include "tests/support/size_limit.h"
 
 namespace nilas::hdf5 {
-namespace {
+namespace hdf5_columns_test {
 
 using test::ScratchFolder;
 using test::SizeLimit;
@@ -136,5 +136,5 @@ TEST(Hdf5Columns, AFolderThatIsNotThereIsAFileError) {
   EXPECT_THROW(Hdf5Columns("/nowhere/a.h5", layout()), FileError);
 }
 
-}  // namespace
+}  // namespace hdf5_columns_test
 }  // namespace nilas::hdf5

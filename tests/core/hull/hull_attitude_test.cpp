@@ -5,7 +5,7 @@
 
 #include "tests/core/hull/hull_family.h"
 
-namespace {
+namespace hull_attitude_test {
 
 using namespace nilas;
 using namespace nilas::hull;
@@ -183,4 +183,4 @@ TEST(HullAxes, AreThoseOfARightHandedFrame) {
   EXPECT_EQ(y_up.to_vessel() * Vec3(1, 2, 3), Vec3(1, -3, 2));
 }
 
-}  // namespace
+}  // namespace hull_attitude_test

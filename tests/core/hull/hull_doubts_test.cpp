@@ -5,7 +5,7 @@
 
 #include "tests/core/hull/hull_family.h"
 
-namespace {
+namespace hull_doubts_test {
 
 using namespace nilas;
 using namespace nilas::hull;
@@ -107,4 +107,4 @@ TEST(HullDoubts, AGeneratedHullIsNotTurned) {
   EXPECT_TRUE(hull_doubts(upside_down, {.generated = true}).empty());
 }
 
-}  // namespace
+}  // namespace hull_doubts_test

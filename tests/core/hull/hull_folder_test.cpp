@@ -12,7 +12,7 @@
 #include "tests/support/scratch_folder.h"
 
 namespace nilas::hull {
-namespace {
+namespace hull_folder_test {
 
 namespace fs = std::filesystem;
 
@@ -208,5 +208,5 @@ TEST_F(HullFolder, MissingFilesAreFileErrors) {
   EXPECT_THROW(NewHullFolder(folder_ / "file", false), FileError);
 }
 
-}  // namespace
+}  // namespace hull_folder_test
 }  // namespace nilas::hull

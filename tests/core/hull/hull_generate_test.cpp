@@ -11,7 +11,7 @@
 #include "tests/support/refusal.h"
 
 namespace nilas::hull {
-namespace {
+namespace hull_generate_test {
 
 Vec3 normal_of(const geometry::TriangleMesh& mesh, const std::array<int, 3>& t) {
   const auto vertex = [&](int k) { return mesh.vertices[t[k]]; };
@@ -246,5 +246,5 @@ TEST(HullForm, UnknownNamesAreRefusedWithTheNearest) {
   EXPECT_PRED2(test::mentions, text("wedge", {{"flare_angle_deg", 5}}), "flare_angle_deg");
 }
 
-}  // namespace
+}  // namespace hull_generate_test
 }  // namespace nilas::hull

@@ -6,7 +6,7 @@
 
 #include "core/base/error.h"
 
-namespace {
+namespace event_ode_test {
 
 using namespace nilas;
 using namespace nilas::numerics;
@@ -60,4 +60,4 @@ TEST(EventOde, AThrowFromTheEquationsComesThroughAndFailureIsSaid) {
   EXPECT_THROW(bursts.follow(2, z), SimulationError);
 }
 
-}  // namespace
+}  // namespace event_ode_test

@@ -6,7 +6,7 @@
 
 #include "core/base/error.h"
 
-namespace {
+namespace nonlinear_solve_test {
 
 using namespace nilas;
 using namespace nilas::numerics;
@@ -40,4 +40,4 @@ TEST(NonlinearSolve, AThrowFromTheEquationsComesThrough) {
   EXPECT_THROW(solve_nonlinear(equations, VecX{{0.7}}), InputError);
 }
 
-}  // namespace
+}  // namespace nonlinear_solve_test

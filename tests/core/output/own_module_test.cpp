@@ -17,7 +17,7 @@
 #include "tests/core/sim/scene_rig.h"
 #include "tests/support/scratch_folder.h"
 
-namespace {
+namespace own_module_test {
 
 using namespace nilas;
 using namespace nilas::output;
@@ -188,4 +188,4 @@ TEST(OwnModuleOnAVessel, DrivesTheIceInTheChecksOfAScene) {
   EXPECT_EQ(doubts(with_tug()), 0);
 }
 
-}  // namespace
+}  // namespace own_module_test

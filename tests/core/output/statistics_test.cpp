@@ -11,7 +11,7 @@
 #include "tests/core/output/sample_run.h"
 
 namespace nilas::output {
-namespace {
+namespace statistics_test {
 
 using test::full_record;
 using test::full_run;
@@ -159,5 +159,5 @@ TEST(RunStatistics, NothingMissingFromNothingIsABalance) {
   EXPECT_EQ(statistics.worst("momentum_imbalance_relative").value, 0);
 }
 
-}  // namespace
+}  // namespace statistics_test
 }  // namespace nilas::output

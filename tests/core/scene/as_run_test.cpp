@@ -6,7 +6,7 @@
 #include "tests/support/mentions.h"
 
 namespace nilas::scene {
-namespace {
+namespace as_run_test {
 
 using testing::expect_fault;
 using testing::in_scene;
@@ -158,5 +158,5 @@ TEST(Sha256, FilesLongerThanTheBuffer) {
             "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
 }
 
-}  // namespace
+}  // namespace as_run_test
 }  // namespace nilas::scene

@@ -7,7 +7,7 @@
 #include "tests/core/scene/complete_scene.h"
 
 namespace nilas::scene {
-namespace {
+namespace faults_test {
 
 using testing::expect_fault;
 using testing::in_scene;
@@ -161,5 +161,5 @@ TEST(Faults, NumbersAreWrittenShortAndExactly) {
   EXPECT_EQ(parse_number(format_number(-1.7976931348623157e308)), -1.7976931348623157e308);
 }
 
-}  // namespace
+}  // namespace faults_test
 }  // namespace nilas::scene

@@ -6,7 +6,7 @@
 #include "tests/core/scene/scene_files.h"
 
 namespace nilas::scene {
-namespace {
+namespace fracture_scene_test {
 
 using testing::expect_fault;
 using testing::in_scene;
@@ -158,5 +158,5 @@ TEST(FractureScene, FaultsAreFound) {
   expect_fault(faults("<fracture><cracks path='crooked'/></fracture>"), 2, "<fracture><cracks path>", {"curved"});
 }
 
-}  // namespace
+}  // namespace fracture_scene_test
 }  // namespace nilas::scene

@@ -6,7 +6,7 @@
 #include "tests/core/scene/complete_scene.h"
 
 namespace nilas::scene {
-namespace {
+namespace fuzz_test {
 
 using testing::SceneFolder;
 
@@ -80,5 +80,5 @@ TEST(Fuzz, DamagedBytes) {
   EXPECT_GT(read, 0) << "damage in comments and blanks does no harm";
 }
 
-}  // namespace
+}  // namespace fuzz_test
 }  // namespace nilas::scene

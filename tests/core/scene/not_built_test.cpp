@@ -4,7 +4,7 @@
 #include "tests/core/scene/scene_files.h"
 
 namespace nilas::scene {
-namespace {
+namespace not_built_test {
 
 using testing::expect_fault;
 using testing::in_scene;
@@ -45,5 +45,5 @@ TEST(NotBuilt, WhatSaysTheSameAsNothingIsTaken) {
                   .empty());
 }
 
-}  // namespace
+}  // namespace not_built_test
 }  // namespace nilas::scene

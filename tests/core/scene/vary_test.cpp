@@ -6,7 +6,7 @@
 #include "tests/core/scene/scene_files.h"
 
 namespace nilas::scene {
-namespace {
+namespace vary_test {
 
 using testing::expect_fault;
 using testing::in_scene;
@@ -106,5 +106,5 @@ TEST(Vary, FaultsNameTheLine) {
   }
 }
 
-}  // namespace
+}  // namespace vary_test
 }  // namespace nilas::scene

@@ -16,7 +16,7 @@
 #include "tests/support/refusal.h"
 #include "tests/support/scratch_folder.h"
 
-namespace {
+namespace checkpoint_test {
 
 using namespace nilas;
 using namespace nilas::sim;
@@ -431,4 +431,4 @@ TEST(State, SaysWhatIsWrong) {
   EXPECT_THROW(out.add("a", 2.0), ContractError);
 }
 
-}  // namespace
+}  // namespace checkpoint_test

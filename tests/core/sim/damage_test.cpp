@@ -6,7 +6,7 @@
 
 #include "tests/core/sim/breaking_rig.h"
 
-namespace {
+namespace damage_test {
 
 using namespace nilas;
 using namespace nilas::sim;
@@ -70,4 +70,4 @@ TEST(Damage, RepeatedLoadsBreakWhatOneDoesNot) {
   EXPECT_LT(before, 10);
 }
 
-}  // namespace
+}  // namespace damage_test

@@ -9,7 +9,7 @@
 #include "hydro/equilibrium.h"
 #include "tests/support/scratch_folder.h"
 
-namespace {
+namespace floating_test {
 
 using namespace nilas;
 using namespace nilas::sim;
@@ -51,4 +51,4 @@ TEST(Floating, ADraggedHullSettlesInTheSolvedEquilibrium) {
   EXPECT_NEAR(heel / count, solved.heel, 1e-3 * std::abs(solved.heel));
 }
 
-}  // namespace
+}  // namespace floating_test

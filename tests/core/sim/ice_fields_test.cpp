@@ -8,7 +8,7 @@
 #include "core/sim/simulation.h"
 #include "tests/support/scratch_folder.h"
 
-namespace {
+namespace ice_fields_test {
 
 using namespace nilas;
 using namespace nilas::sim;
@@ -97,4 +97,4 @@ TEST(IceFields, NanometresAreTaken) {
   EXPECT_GT(parts.bodies.mass[1], 0);
 }
 
-}  // namespace
+}  // namespace ice_fields_test

@@ -6,7 +6,7 @@
 
 #include "tests/core/sim/scene_rig.h"
 
-namespace {
+namespace moreau_test {
 
 using namespace nilas;
 using namespace nilas::sim;
@@ -137,4 +137,4 @@ TEST(Moreau, ImpactsAtOnceObeyNewtonsLawTogether) {
   EXPECT_NEAR(v[2].x(), 2.0 / 3, 1e-12);
 }
 
-}  // namespace
+}  // namespace moreau_test

@@ -6,7 +6,7 @@
 
 #include "tests/core/sim/scene_rig.h"
 
-namespace {
+namespace moreau_vessel_test {
 
 using namespace nilas;
 using namespace nilas::sim;
@@ -163,4 +163,4 @@ TEST(MoreauVessel, ThetaOneIsSemiImplicitEuler) {
   EXPECT_LT((a.second - b.second).norm(), 1e-5 * b.second.norm());
 }
 
-}  // namespace
+}  // namespace moreau_vessel_test

@@ -8,7 +8,7 @@
 #include "core/sim/simulation.h"
 #include "tests/core/sim/scene_rig.h"
 
-namespace {
+namespace resting_contacts_test {
 
 using namespace nilas;
 using namespace nilas::sim;
@@ -120,4 +120,4 @@ TEST(Sliding, OverAnEdgeIsQuasiStatic) {
   }
 }
 
-}  // namespace
+}  // namespace resting_contacts_test

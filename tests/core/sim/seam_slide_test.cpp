@@ -11,7 +11,7 @@
 #include "tests/core/sim/stl_text.h"
 #include "tests/support/scratch_folder.h"
 
-namespace {
+namespace seam_slide_test {
 
 using namespace nilas;
 using namespace nilas::sim;
@@ -139,4 +139,4 @@ INSTANTIATE_TEST_SUITE_P(All, SlidesAlong,
                            return std::string(std::get<0>(instance.param).name) + std::get<1>(instance.param).name;
                          });
 
-}  // namespace
+}  // namespace seam_slide_test

@@ -10,7 +10,7 @@
 #include "tests/core/sim/scene_rig.h"
 #include "tests/support/refusal.h"
 
-namespace {
+namespace simulation_test {
 
 using namespace nilas;
 using namespace nilas::sim;
@@ -166,4 +166,4 @@ TEST(Simulation, TwinsStartNextToNothingAsideAndAlikeForTheSameNumber) {
   EXPECT_EQ(one[3], itself[3]);
 }
 
-}  // namespace
+}  // namespace simulation_test

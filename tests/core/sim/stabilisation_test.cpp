@@ -8,7 +8,7 @@
 #include "core/sim/simulation.h"
 #include "tests/core/sim/scene_rig.h"
 
-namespace {
+namespace stabilisation_test {
 
 using namespace nilas;
 using namespace nilas::sim;
@@ -130,4 +130,4 @@ TEST(Stabilisation, CarriedPointsFollowTheirBodies) {
   EXPECT_LE((carried.p - Vec3(-0.5, 0.501, 0)).norm(), 1e-15);
 }
 
-}  // namespace
+}  // namespace stabilisation_test

@@ -10,7 +10,7 @@
 #include "tests/support/collision/thin_plates.h"
 #include "tests/support/mirrored.h"
 
-namespace {
+namespace swept_test {
 
 using namespace nilas;
 using namespace nilas::sim;
@@ -306,4 +306,4 @@ TEST(Swept, ACutRunGoesOnFromAnyStep) {
   for (int k = 0; k < 5; ++k) EXPECT_EQ(whole.step().state_hash, second.step().state_hash);
 }
 
-}  // namespace
+}  // namespace swept_test

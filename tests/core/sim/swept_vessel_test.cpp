@@ -11,7 +11,7 @@
 #include "tests/support/collision/thin_plates.h"
 #include "tests/support/scratch_folder.h"
 
-namespace {
+namespace swept_vessel_test {
 
 using namespace nilas;
 using namespace nilas::sim;
@@ -91,4 +91,4 @@ TEST(SweptVessel, ThinPlatesDoNotPassAHullThatMoves) {
     }
 }
 
-}  // namespace
+}  // namespace swept_vessel_test

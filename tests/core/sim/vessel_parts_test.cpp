@@ -8,7 +8,7 @@
 #include "tests/core/sim/scene_rig.h"
 #include "tests/support/refusal.h"
 
-namespace {
+namespace vessel_parts_test {
 
 using namespace nilas;
 using namespace nilas::sim;
@@ -219,4 +219,4 @@ TEST(VesselParts, WhatDoesNotGoTogetherIsNamed) {
   refused(mass + "<part name='p'/>", at, "joint");
 }
 
-}  // namespace
+}  // namespace vessel_parts_test

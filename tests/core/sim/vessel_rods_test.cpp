@@ -8,7 +8,7 @@
 #include "tests/core/sim/scene_rig.h"
 #include "tests/support/refusal.h"
 
-namespace {
+namespace vessel_rods_test {
 
 using namespace nilas;
 using namespace nilas::sim;
@@ -137,4 +137,4 @@ TEST(VesselRods, AStartSpeedAlongThemIsRefused) {
                InputError);
 }
 
-}  // namespace
+}  // namespace vessel_rods_test

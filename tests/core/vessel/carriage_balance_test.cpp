@@ -8,7 +8,7 @@
 #include "tests/core/vessel/example_vessel.h"
 
 namespace nilas::vessel {
-namespace {
+namespace carriage_balance_test {
 
 constexpr double k_h = 0.01;
 constexpr int k_settling_steps = 3000;
@@ -230,5 +230,5 @@ TEST(CarriageBalance, RefusesWhatCannotHold) {
   EXPECT_THROW(VesselSystem(model, 0), InputError);
 }
 
-}  // namespace
+}  // namespace carriage_balance_test
 }  // namespace nilas::vessel

@@ -8,7 +8,7 @@
 #include "tests/core/vessel/example_vessel.h"
 
 namespace nilas::vessel {
-namespace {
+namespace carriage_joint_test {
 
 constexpr double k_h = 0.01;
 constexpr double k_g = 9.81;
@@ -297,5 +297,5 @@ TEST(CarriageJoint, GimbalLockIsASimulationError) {
   EXPECT_THROW(tip(), SimulationError);
 }
 
-}  // namespace
+}  // namespace carriage_joint_test
 }  // namespace nilas::vessel

@@ -9,7 +9,7 @@
 #include "tests/core/vessel/example_vessel.h"
 
 namespace nilas::vessel {
-namespace {
+namespace carriage_reaction_test {
 
 struct Largest {
   double apart = 0, load = 0;  ///< force plus torque [N, N m]
@@ -105,5 +105,5 @@ TEST(CarriageReaction, LeavesTheVesselWhereItWas) {
   }
 }
 
-}  // namespace
+}  // namespace carriage_reaction_test
 }  // namespace nilas::vessel

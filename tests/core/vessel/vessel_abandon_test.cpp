@@ -4,7 +4,7 @@
 #include "tests/core/vessel/tree/jointed_example.h"
 
 namespace nilas::vessel {
-namespace {
+namespace vessel_abandon_test {
 
 /// Free, on every kind of carriage while it turns on its ramp, and with parts.
 std::vector<VesselModel> models() {
@@ -56,5 +56,5 @@ TEST(VesselAbandon, AStepTakenBackLeavesNoTrace) {
     }
 }
 
-}  // namespace
+}  // namespace vessel_abandon_test
 }  // namespace nilas::vessel

@@ -5,7 +5,7 @@
 #include "tests/core/vessel/example_vessel.h"
 
 namespace nilas::vessel {
-namespace {
+namespace vessel_block_test {
 
 constexpr double k_h = 0.01;
 const std::array<bool, 6> k_heave_pitch{false, false, true, false, true, false};
@@ -104,5 +104,5 @@ TEST(VesselBlock, ImpossibleBodiesAreInputErrors) {
   EXPECT_THROW(VesselSystem(model, 0), InputError);
 }
 
-}  // namespace
+}  // namespace vessel_block_test
 }  // namespace nilas::vessel

@@ -7,7 +7,7 @@
 #include "tests/core/vessel/example_vessel.h"
 
 namespace nilas::vessel {
-namespace {
+namespace vessel_determinism_test {
 
 VesselModel model_of(int kind) {
   const std::array<bool, 6> free{false, false, true, true, true, false};
@@ -65,5 +65,5 @@ TEST(VesselSystemValue, MovesKeepTheState) {
   example::run(c, {}, 0.01, 1);
 }
 
-}  // namespace
+}  // namespace vessel_determinism_test
 }  // namespace nilas::vessel

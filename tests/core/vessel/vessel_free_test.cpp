@@ -6,7 +6,7 @@
 #include "tests/core/vessel/example_vessel.h"
 
 namespace nilas::vessel {
-namespace {
+namespace vessel_free_test {
 
 constexpr double k_h = 0.01;
 
@@ -140,5 +140,5 @@ TEST(VesselSystemContract, StepsBeginBeforeTheyFinish) {
   EXPECT_THROW(system.begin({}, k_h), ContractError);
 }
 
-}  // namespace
+}  // namespace vessel_free_test
 }  // namespace nilas::vessel

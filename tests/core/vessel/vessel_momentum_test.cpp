@@ -8,7 +8,7 @@
 #include "tests/core/vessel/example_vessel.h"
 
 namespace nilas::vessel {
-namespace {
+namespace vessel_momentum_test {
 
 constexpr double k_h = 0.01;
 
@@ -103,5 +103,5 @@ TEST(VesselMomentumFree, CarriageThatHoldsNothingIsNone) {
   EXPECT_LT((a.state().w - b.state().w).norm(), 1e-4);  // attitudes by different first-order rules
 }
 
-}  // namespace
+}  // namespace vessel_momentum_test
 }  // namespace nilas::vessel

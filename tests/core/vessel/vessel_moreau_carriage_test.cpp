@@ -6,7 +6,7 @@
 #include "tests/core/vessel/example_vessel.h"
 
 namespace nilas::vessel {
-namespace {
+namespace vessel_moreau_carriage_test {
 
 constexpr double k_h = 0.01;
 constexpr double k_g = 9.81;
@@ -383,5 +383,5 @@ TEST(VesselMoreauCarriage, ATurnedFrameGivesTheTurnedMotion) {
   }
 }
 
-}  // namespace
+}  // namespace vessel_moreau_carriage_test
 }  // namespace nilas::vessel

@@ -8,7 +8,7 @@
 #include "tests/core/vessel/example_vessel.h"
 
 namespace nilas::vessel {
-namespace {
+namespace vessel_moreau_cells_test {
 
 constexpr double k_h = 0.01;
 constexpr int k_surge = 3;  ///< Index of surge among the coordinates.
@@ -201,5 +201,5 @@ TEST(VesselMoreauCells, TransmitNothingOnFreeAxes) {
   }
 }
 
-}  // namespace
+}  // namespace vessel_moreau_cells_test
 }  // namespace nilas::vessel

@@ -8,7 +8,7 @@
 #include "tests/core/vessel/example_vessel.h"
 
 namespace nilas::vessel {
-namespace {
+namespace vessel_moreau_free_test {
 
 constexpr double k_h = 0.01;
 
@@ -215,5 +215,5 @@ TEST(VesselMoreauFree, StepsMoveBeforeTheyBegin) {
   EXPECT_THROW(VesselSystem(wrong, 0), ContractError);
 }
 
-}  // namespace
+}  // namespace vessel_moreau_free_test
 }  // namespace nilas::vessel

@@ -7,7 +7,7 @@
 #include "core/base/error.h"
 
 namespace nilas::fracture {
-namespace {
+namespace edge_contact_test {
 
 const std::vector<Vec2> k_square{{0, 0}, {4, 0}, {4, 4}, {0, 4}};
 
@@ -85,5 +85,5 @@ TEST(EdgeContact, AVerticalLoadHasNoCrackDirection) {
   EXPECT_THROW(edge_contacts({{0, 0}, {1, 0}}, {}, 1), ContractError);
 }
 
-}  // namespace
+}  // namespace edge_contact_test
 }  // namespace nilas::fracture

@@ -8,7 +8,7 @@
 #include "core/base/math.h"
 
 namespace nilas::fracture {
-namespace {
+namespace weakest_sections_test {
 
 /// Four wedges above the origin, breaking at 2 m where all ice is alike.
 const WedgeFan k_fan{{0, 0}, k_pi / 2, 4, k_pi / 4, 2, 2};
@@ -80,5 +80,5 @@ TEST(WeakestSections, Mirror) {
   for (std::size_t k = 0; k < 9; ++k) EXPECT_NEAR(a.radii[k], b.radii[8 - k], 1e-12);
 }
 
-}  // namespace
+}  // namespace weakest_sections_test
 }  // namespace nilas::fracture

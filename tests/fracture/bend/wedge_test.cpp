@@ -14,7 +14,7 @@
 
 namespace nilas::fracture {
 
-namespace {
+namespace wedge_test {
 
 /// Cubic Hermite finite elements for the same wedge, graded towards the tip, on 0 < x < 16.
 class WedgeElements {
@@ -62,7 +62,7 @@ class WedgeElements {
   VecX w_;
 };
 
-}  // namespace
+}  // namespace wedge_test
 
 /// Mellin's transform of the wedge under a point load at its tip is 4^s G(s/4) G((s+1)/4) G((s+2)/4) / G((3-s)/4) but
 /// for a factor that the balance of forces gives; its pole at 0 is w(0) = (G(1/4) / G(3/4))^2 / 4.

@@ -9,7 +9,7 @@
 #include "core/geometry/mesh.h"
 
 namespace nilas::fracture {
-namespace {
+namespace contact_area_test {
 
 constexpr double k_round_off = 1e-12;  // relative; positions of order 1 m
 
@@ -182,5 +182,5 @@ TEST(PressurePoints, SpreadOfATriangle) {
   EXPECT_NEAR(found[0].spread(0, 1), -0.3 * 0.6 / 36, k_round_off);
 }
 
-}  // namespace
+}  // namespace contact_area_test
 }  // namespace nilas::fracture

@@ -8,7 +8,7 @@
 #include "fracture/crush/crushed_depth.h"
 
 namespace nilas::fracture {
-namespace {
+namespace crushing_law_test {
 
 TEST(CrushingLaw, PressureByModel) {
   const CrushingLaw seed{CrushingModel::explicit_area, 7.4e6, -0.7, 2e5};
@@ -75,5 +75,5 @@ TEST(CrushedDepth, GoesOnFromItsState) {
   EXPECT_EQ(other.advance(k_face, Vec3::UnitX(), Vec3(0.2, 0, 0), 1).offset, 0.3);
 }
 
-}  // namespace
+}  // namespace crushing_law_test
 }  // namespace nilas::fracture

@@ -8,7 +8,7 @@
 #include "core/geometry/polygon.h"
 
 namespace nilas::fracture {
-namespace {
+namespace ice_columns_test {
 
 const Vec2 k_low(-10, -10), k_high(10, 10);
 
@@ -134,5 +134,5 @@ TEST(CrushedIce, LittleCornersBesideNewEdgesGo) {
   EXPECT_FALSE(trim_corners(outline, is_new, 0.1, 1)) << "old corners stay";
 }
 
-}  // namespace
+}  // namespace ice_columns_test
 }  // namespace nilas::fracture

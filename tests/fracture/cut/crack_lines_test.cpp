@@ -8,7 +8,7 @@
 #include "core/geometry/mass_properties.h"
 #include "tests/support/cut_judge.h"
 
-namespace {
+namespace crack_lines_test {
 
 using namespace nilas;
 using namespace nilas::fracture;
@@ -176,4 +176,4 @@ TEST(WedgeCracks, DemandAFanThatMakesSense) {
   for (const WedgeFan& fan : {none, round, exact}) EXPECT_THROW(wedge_cracks(fan), ContractError);
 }
 
-}  // namespace
+}  // namespace crack_lines_test

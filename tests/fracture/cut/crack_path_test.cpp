@@ -12,7 +12,7 @@
 #include "fracture/cut/cut_outline.h"
 
 namespace nilas::fracture {
-namespace {
+namespace crack_path_test {
 
 /// A floe of 10 m by 8 m, entered in the middle of its lower side.
 const std::vector<Vec2> k_floe{{-5, 0}, {5, 0}, {5, 8}, {-5, 8}};
@@ -174,5 +174,5 @@ TEST(CrackPath, RefusesImpossibleInput) {
   EXPECT_THROW(crack_path(k_floe, {0, 0}, k_up, k_segment, 0, {}), ContractError);
 }
 
-}  // namespace
+}  // namespace crack_path_test
 }  // namespace nilas::fracture

@@ -7,7 +7,7 @@
 #include "fracture/cut/smallest_box.h"
 #include "tests/support/cut_judge.h"
 
-namespace {
+namespace cut_floe_test {
 
 using namespace nilas;
 using namespace nilas::fracture;
@@ -157,4 +157,4 @@ TEST(SmallestBox, IsTheSmallestOverTheDirectionsOfAllPairs) {
   }
 }
 
-}  // namespace
+}  // namespace cut_floe_test

@@ -8,7 +8,7 @@
 #include "core/geometry/mass_properties.h"
 #include "tests/support/cut_judge.h"
 
-namespace {
+namespace cut_outline_test {
 
 using namespace nilas;
 using namespace nilas::fracture;
@@ -156,4 +156,4 @@ TEST(CutOutline, PiecesFollowTheOutlineFromItsFirstEdge) {
   EXPECT_EQ(cut.pieces[8].outline, (Outline{{0.3, 0.3}, {0.6, 0.3}, {0.6, 0.6}, {0.3, 0.6}}));
 }
 
-}  // namespace
+}  // namespace cut_outline_test

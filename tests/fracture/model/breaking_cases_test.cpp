@@ -7,7 +7,7 @@
 
 #include "tests/core/sim/breaking_rig.h"
 
-namespace {
+namespace breaking_cases_test {
 
 using namespace nilas;
 using namespace nilas::fracture;
@@ -157,4 +157,4 @@ TEST(BreakingCases, ABoxGoesOnCrushingAnotherFloe) {
   EXPECT_GT(crushing, 5) << "it still crushes after the break";
 }
 
-}  // namespace
+}  // namespace breaking_cases_test

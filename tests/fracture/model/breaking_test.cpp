@@ -12,7 +12,7 @@
 #include "fracture/split/splitting_lefm.h"
 #include "tests/core/sim/breaking_rig.h"
 
-namespace {
+namespace breaking_test {
 
 using namespace nilas;
 using namespace nilas::fracture;
@@ -244,4 +244,4 @@ TEST(Breaking, ThreadsChangeNoBit) {
   EXPECT_GT(broken, 1u);
 }
 
-}  // namespace
+}  // namespace breaking_test

@@ -14,7 +14,7 @@
 #include "tests/core/sim/crushing_rig.h"
 #include "tests/support/mirrored.h"
 
-namespace {
+namespace broken_contacts_test {
 
 using namespace nilas;
 using namespace nilas::fracture;
@@ -271,4 +271,4 @@ TEST(BrokenContacts, BalanceAStaticLoad) {
   EXPECT_LE((warm.v - cold.v).norm(), 1e-6);
 }
 
-}  // namespace
+}  // namespace broken_contacts_test

@@ -8,7 +8,7 @@
 #include "core/geometry/mass_properties.h"
 #include "tests/core/sim/crushing_rig.h"
 
-namespace {
+namespace crushed_ice_test {
 
 using namespace nilas;
 using namespace nilas::fracture;
@@ -219,4 +219,4 @@ TEST(CrushedIceCut, GoesOnFromACheckpointWithTheSameBits) {
   EXPECT_EQ(rest.simulation.total("extruded_mass"), whole.simulation.total("extruded_mass"));
 }
 
-}  // namespace
+}  // namespace crushed_ice_test

@@ -11,7 +11,7 @@
 #include "fracture/model/crushing.h"
 #include "tests/core/sim/crushing_rig.h"
 
-namespace {
+namespace crushing_floes_test {
 
 using namespace nilas;
 using namespace nilas::fracture;
@@ -176,4 +176,4 @@ TEST(CrushingOfFloes, WithoutItTheyAreRigid) {
   EXPECT_EQ(record.ledger.crushing, 0);
 }
 
-}  // namespace
+}  // namespace crushing_floes_test

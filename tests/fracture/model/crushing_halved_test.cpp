@@ -9,7 +9,7 @@
 #include "tests/core/sim/crushing_rig.h"
 #include "tests/support/collision/thin_plates.h"
 
-namespace {
+namespace crushing_halved_test {
 
 using namespace nilas;
 using namespace nilas::fracture;
@@ -62,4 +62,4 @@ TEST(CrushingHalved, AStepInTwoPartsIsTwoSteps) {
   EXPECT_EQ(compared, 4);
 }
 
-}  // namespace
+}  // namespace crushing_halved_test

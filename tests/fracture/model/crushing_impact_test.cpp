@@ -8,7 +8,7 @@
 
 #include "tests/core/sim/crushing_rig.h"
 
-namespace {
+namespace crushing_impact_test {
 
 using namespace nilas;
 using namespace nilas::fracture;
@@ -130,4 +130,4 @@ TEST(Crushing, ImpactWithTheMidpointRule) {
   }
 }
 
-}  // namespace
+}  // namespace crushing_impact_test

@@ -8,7 +8,7 @@
 #include "tests/core/sim/crushing_rig.h"
 #include "tests/support/mirrored.h"
 
-namespace {
+namespace crushing_invariance_test {
 
 using namespace nilas;
 using namespace nilas::fracture;
@@ -135,4 +135,4 @@ TEST(Crushing, TheListOfWhatWasBuiltSaysWhatStaysRigid) {
   FAIL() << "it is not listed";
 }
 
-}  // namespace
+}  // namespace crushing_invariance_test

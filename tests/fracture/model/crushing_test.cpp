@@ -7,7 +7,7 @@
 
 #include "tests/core/sim/crushing_rig.h"
 
-namespace {
+namespace crushing_test {
 
 using namespace nilas;
 using namespace nilas::fracture;
@@ -183,4 +183,4 @@ TEST(Crushing, CrushedIceDoesNotPushBack) {
   }
 }
 
-}  // namespace
+}  // namespace crushing_test

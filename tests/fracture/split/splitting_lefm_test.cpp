@@ -10,7 +10,7 @@
 
 namespace nilas::fracture {
 
-namespace {
+namespace splitting_lefm_test {
 
 struct Value {
   double crack, width, H;
@@ -44,7 +44,7 @@ const std::vector<Value> k_square{{0.002, 1, 32.721}, {0.03, 1, 8.61794}, {0.05,
                                   {0.4, 1, 7.96421},  {0.5, 1, 10.1603},  {0.6, 1, 13.9661},  {0.7, 1, 21.687},
                                   {0.85, 1, 64.5756}};
 
-}  // namespace
+}  // namespace splitting_lefm_test
 
 TEST(SplittingLefm, HoldsFiniteElementValuesBetweenItsPoints) {
   const SplittingTable table;

@@ -9,7 +9,7 @@
 #include "contact/measure/measure.h"
 #include "tests/support/program.h"
 
-namespace {
+namespace challenge_test {
 
 using namespace nilas;
 using namespace nilas::compare;
@@ -68,4 +68,4 @@ TEST(ProblemExport, IsTheSameEachTimeAndHarmsNoFolder) {
   EXPECT_EQ(read_text(folder.path() / "full/problems.csv"), read_text(folder.path() / "again/problems.csv"));
 }
 
-}  // namespace
+}  // namespace challenge_test

@@ -16,7 +16,7 @@ bool operator==(const ProfilePoint& a, const ProfilePoint& b) { return a.x == b.
 
 }  // namespace nilas::compare
 
-namespace {
+namespace problem_profiles_test {
 
 using namespace nilas;
 using namespace nilas::compare;
@@ -140,4 +140,4 @@ TEST(StudyPlan, RefusesNamesAndTolerancesThatAreNone) {
   EXPECT_THROW(validate({{}, {"coulomb"}, {0}, 0}), InputError);
 }
 
-}  // namespace
+}  // namespace problem_profiles_test

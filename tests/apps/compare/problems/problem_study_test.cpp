@@ -14,7 +14,7 @@
 #include "tests/support/size_limit.h"
 #include "tests/support/started_program.h"
 
-namespace {
+namespace problem_study_test {
 
 using namespace nilas;
 using namespace nilas::compare;
@@ -200,4 +200,4 @@ TEST(ProblemStudy, EveryEndHasItsCause) {
   EXPECT_THROW(outcome(done, "{\n  \"problem\": \"p\", \"cl"), FileError) << "a full disk";
 }
 
-}  // namespace
+}  // namespace problem_study_test

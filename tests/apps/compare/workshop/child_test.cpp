@@ -8,7 +8,7 @@
 #include "core/base/error.h"
 #include "tests/support/program.h"
 
-namespace {
+namespace child_test {
 
 using namespace nilas;
 using namespace nilas::compare;
@@ -118,4 +118,4 @@ TEST(Child, OfAProgramThatIsNotThereEndsAsInAShell) {
   EXPECT_EQ(run_child({{"/no/such/program"}, folder.path() / "out", folder.path() / "log", 0}).exit_code, 127);
 }
 
-}  // namespace
+}  // namespace child_test

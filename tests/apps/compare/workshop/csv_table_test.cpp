@@ -5,7 +5,7 @@
 
 #include <limits>
 
-namespace {
+namespace csv_table_test {
 
 using namespace nilas;
 using namespace nilas::compare;
@@ -28,4 +28,4 @@ TEST(CsvTable, ListsAndSentencesHoldNoCommas) {
   EXPECT_EQ(without_commas("a, b"), "a; b");
 }
 
-}  // namespace
+}  // namespace csv_table_test

@@ -6,7 +6,7 @@
 #include "core/base/error.h"
 #include "tests/support/scratch_folder.h"
 
-namespace {
+namespace study_folder_test {
 
 using namespace nilas;
 using namespace nilas::compare;
@@ -55,4 +55,4 @@ TEST(StudyFolder, OpensOnlyAStudy) {
   EXPECT_EQ(StudyFolder::open(scratch / "a", files()).path(), scratch / "a");
 }
 
-}  // namespace
+}  // namespace study_folder_test

@@ -10,7 +10,7 @@
 #include "tests/contact/detect/bodies_of_tests.h"
 
 namespace nilas::detect {
-namespace {
+namespace broad_phase_test {
 
 /// Floes beside and over each other, every seventh of them fixed.
 bodies::Bodies bodies_in_a_square(int count, double side) {
@@ -86,5 +86,5 @@ TEST(BroadPhase, NoBodies) {
   }
 }
 
-}  // namespace
+}  // namespace broad_phase_test
 }  // namespace nilas::detect

@@ -10,7 +10,7 @@
 #include "tests/contact/detect/bodies_of_tests.h"
 
 namespace nilas::detect {
-namespace {
+namespace reach_test {
 
 constexpr double k_step = 0.01;
 
@@ -88,5 +88,5 @@ TEST(Reach, MarginsOfPairsLoseNoPairAndNoGap) {
   for (const auto& [pair, gap] : one) EXPECT_NEAR(other.at(pair), gap, 1e-12);
 }
 
-}  // namespace
+}  // namespace reach_test
 }  // namespace nilas::detect

@@ -8,7 +8,7 @@
 #include "tests/contact/detect/bodies_of_tests.h"
 
 namespace nilas::detect {
-namespace {
+namespace fcl_query_test {
 
 /// A box with its top at z = 0 and a body `gap` above it. All sizes are multiplied by `scale`, far from the origin.
 struct Stack {
@@ -47,5 +47,5 @@ TEST(FclQuery, AWrongGuessOfOverlapIsPutRight) {
   EXPECT_NEAR((*direction - Vec3::UnitZ()).norm(), 0, 1e-6);
 }
 
-}  // namespace
+}  // namespace fcl_query_test
 }  // namespace nilas::detect

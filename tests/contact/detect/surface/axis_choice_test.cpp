@@ -8,7 +8,7 @@
 #include "tests/contact/detect/bodies_of_tests.h"
 
 namespace nilas::detect {
-namespace {
+namespace axis_choice_test {
 
 struct TwoBoxes {
   bodies::Bodies bodies;
@@ -77,5 +77,5 @@ TEST(AxisContest, TellsUpFromDown) {
   EXPECT_EQ(boxes.winner({down, up}).feature_a, 1);
 }
 
-}  // namespace
+}  // namespace axis_choice_test
 }  // namespace nilas::detect

@@ -9,7 +9,7 @@
 #include "tests/support/mirrored.h"
 
 namespace nilas::detect {
-namespace {
+namespace manifold_test {
 
 constexpr double k_exact = 1e-14;  // Rounding of coordinates of about 1 m [m].
 
@@ -249,5 +249,5 @@ TEST(Manifold, EdgesThatAreNearlyParallelTellTheirDistance) {
     }
 }
 
-}  // namespace
+}  // namespace manifold_test
 }  // namespace nilas::detect

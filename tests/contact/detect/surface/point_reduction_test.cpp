@@ -9,7 +9,7 @@
 #include "core/base/math.h"
 
 namespace nilas::detect {
-namespace {
+namespace point_reduction_test {
 
 constexpr double k_tolerance = 1e-10;
 
@@ -137,5 +137,5 @@ TEST(PointReduction, APointInTheMiddleOfAllChangesNothing) {
   }
 }
 
-}  // namespace
+}  // namespace point_reduction_test
 }  // namespace nilas::detect

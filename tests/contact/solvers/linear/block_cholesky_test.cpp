@@ -8,7 +8,7 @@
 #include "core/base/random.h"
 
 namespace nilas::solvers {
-namespace {
+namespace block_cholesky_test {
 
 Mat3 random_block(RandomStream& random) {
   Mat3 block;
@@ -93,5 +93,5 @@ TEST(BlockCholesky, SaysWhenTheMatrixIsNotPositiveDefiniteAndGoesOn) {
   }
 }
 
-}  // namespace
+}  // namespace block_cholesky_test
 }  // namespace nilas::solvers

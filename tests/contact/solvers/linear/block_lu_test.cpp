@@ -5,7 +5,7 @@
 #include "core/base/random.h"
 
 namespace nilas::solvers {
-namespace {
+namespace block_lu_test {
 
 /// A random matrix of 3 x 3 blocks with full diagonal, asymmetric in values and in pattern.
 struct Sparse {
@@ -83,5 +83,5 @@ TEST(BlockLu, EmptyMatrix) {
   EXPECT_EQ(x.size(), 0);
 }
 
-}  // namespace
+}  // namespace block_lu_test
 }  // namespace nilas::solvers

@@ -9,7 +9,7 @@
 #include "core/base/random.h"
 
 namespace nilas::solvers {
-namespace {
+namespace rounded_solve_test {
 
 struct Rows {
   std::vector<int> row_start{0}, column;
@@ -116,5 +116,5 @@ TEST(RoundedSolve, OfNothingIsNothing) {
   EXPECT_TRUE(x.isZero(0));
 }
 
-}  // namespace
+}  // namespace rounded_solve_test
 }  // namespace nilas::solvers

@@ -5,7 +5,7 @@
 #include "contact/solvers/shared/measured_loop.h"
 
 namespace nilas::solvers {
-namespace {
+namespace best_impulses_test {
 
 constexpr double k_nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double k_infinite = std::numeric_limits<double>::infinity();
@@ -142,5 +142,5 @@ TEST(MeasuredLoop, ImpulsesBeyondAllNumbersBecomeNone) {
   }
 }
 
-}  // namespace
+}  // namespace best_impulses_test
 }  // namespace nilas::solvers

@@ -8,7 +8,7 @@
 #include "tests/support/problems/problem_factory.h"
 
 namespace nilas::solvers {
-namespace {
+namespace law_slopes_test {
 
 constexpr double k_no_cap = std::numeric_limits<double>::infinity();
 constexpr Law k_laws[] = {Law::coulomb, Law::ccp, Law::pyramid, Law::pyramid_k, Law::frictionless};
@@ -67,5 +67,5 @@ TEST(LawSlopes, OpenMeansThatVelocityDoesNotMatter) {
     }
 }
 
-}  // namespace
+}  // namespace law_slopes_test
 }  // namespace nilas::solvers

@@ -12,7 +12,7 @@
 #include "core/geometry/mass_properties.h"
 
 namespace nilas::field {
-namespace {
+namespace relaxation_test {
 
 LooseFloe box(double x0, double y0, double x1, double y1) {
   return loose_floe({{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}});
@@ -105,5 +105,5 @@ TEST(NearPairs, FindsWhatAllPairsFind) {
   EXPECT_EQ(near_pairs(floes, 1, 0.3).size(), all);
 }
 
-}  // namespace
+}  // namespace relaxation_test
 }  // namespace nilas::field

@@ -11,7 +11,7 @@
 #include "core/field/sizes/distribution_statistics.h"
 
 namespace nilas::field {
-namespace {
+namespace cut_distribution_test {
 
 constexpr double k_infinite = std::numeric_limits<double>::infinity();
 const std::vector<SpreadKind> k_kinds{SpreadKind::normal, SpreadKind::lognormal, SpreadKind::uniform,
@@ -92,5 +92,5 @@ TEST(CutDistribution, WrongNumbersAreRefused) {
   EXPECT_THROW(CutDistribution(SpreadKind::normal, 0.1, 0.05, 0.9), InputError);
 }
 
-}  // namespace
+}  // namespace cut_distribution_test
 }  // namespace nilas::field

@@ -8,7 +8,7 @@
 #include "core/base/random.h"
 
 namespace nilas::field {
-namespace {
+namespace distribution_statistics_test {
 
 TEST(DistributionStatistics, SummaryOfASample) {
   const auto s = summary_of(std::vector<double>{5, 1, 3, 2, 4});
@@ -73,5 +73,5 @@ TEST(DistributionStatistics, CorrelationOfScoresIsThatOfTheCopula) {
   EXPECT_EQ(correlation(x, std::vector<double>(x.size(), 1.0)), 0);
 }
 
-}  // namespace
+}  // namespace distribution_statistics_test
 }  // namespace nilas::field

@@ -7,7 +7,7 @@
 #include "core/field/sizes/distribution_statistics.h"
 
 namespace nilas::field {
-namespace {
+namespace floe_sizes_test {
 
 PackedSpec spec_of(SizeDistribution distribution) {
   PackedSpec spec;
@@ -44,5 +44,5 @@ TEST(FloeSizes, TheQuantilesHaveTheMoments) {
   EXPECT_EQ(size_quantile(spec_of(SizeDistribution::fixed), 0.9), spec.mean);
 }
 
-}  // namespace
+}  // namespace floe_sizes_test
 }  // namespace nilas::field

@@ -10,7 +10,7 @@
 #include "core/field/sizes/distribution_statistics.h"
 
 namespace nilas::field {
-namespace {
+namespace gaussian_field_test {
 
 constexpr double k_length = 0.7;
 
@@ -75,5 +75,5 @@ TEST(GaussianField, SameStreamSameBits) {
   EXPECT_DOUBLE_EQ(GaussianField::correlation(k_length, k_length), std::exp(-1));
 }
 
-}  // namespace
+}  // namespace gaussian_field_test
 }  // namespace nilas::field

@@ -6,7 +6,7 @@
 #include "core/geometry/polygon.h"
 
 namespace nilas::field {
-namespace {
+namespace convex_contact_test {
 
 ConvexOutline box(double x0, double y0, double x1, double y1) {
   ConvexOutline outline;
@@ -75,5 +75,5 @@ TEST(ConvexContact, FollowingTheDeepestCornerFindsWhatASearchFinds) {
   EXPECT_GT(overlapping, 200);
 }
 
-}  // namespace
+}  // namespace convex_contact_test
 }  // namespace nilas::field

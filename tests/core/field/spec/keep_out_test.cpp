@@ -6,7 +6,7 @@
 #include "core/geometry/polygon.h"
 
 namespace nilas::field {
-namespace {
+namespace keep_out_test {
 
 std::vector<Vec2> box(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}; }
 
@@ -36,5 +36,5 @@ TEST(KeepOut, CutKeepsOneSide) {
   EXPECT_TRUE(cut_outline(box(0, 0, 2, 1), {1, 0}, -1).empty());
 }
 
-}  // namespace
+}  // namespace keep_out_test
 }  // namespace nilas::field

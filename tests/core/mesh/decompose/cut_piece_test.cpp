@@ -8,7 +8,7 @@
 #include "tests/core/mesh/hull_shapes.h"
 
 namespace nilas::mesh {
-namespace {
+namespace cut_piece_test {
 
 /// Volumes of the pieces, each a sound solid, the least first.
 std::vector<double> volumes(const geometry::TriangleMesh& mesh, const HalfSpace& plane) {
@@ -77,5 +77,5 @@ TEST(CutPiece, FineAndCurvedSolidsKeepTheirVolume) {
     }
 }
 
-}  // namespace
+}  // namespace cut_piece_test
 }  // namespace nilas::mesh

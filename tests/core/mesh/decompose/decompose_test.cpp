@@ -12,7 +12,7 @@
 #include "tests/support/scratch_folder.h"
 
 namespace nilas::mesh {
-namespace {
+namespace decompose_test {
 
 /// A hull folder accepts the pieces: each is convex within the tolerance of read_hull().
 void expect_readable(const geometry::TriangleMesh& mesh, const ConvexParts& parts) {
@@ -126,5 +126,5 @@ TEST(Decompose, FewerPartsDeviateMore) {
   EXPECT_LT(more.deviation.largest, few.deviation.largest);
 }
 
-}  // namespace
+}  // namespace decompose_test
 }  // namespace nilas::mesh

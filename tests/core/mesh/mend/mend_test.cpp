@@ -12,7 +12,7 @@
 #include "tests/support/refusal.h"
 
 namespace nilas::mesh {
-namespace {
+namespace mend_test {
 
 MendSettings settings(double length) { return {1e-5 * length, 0.05 * length}; }
 
@@ -317,5 +317,5 @@ TEST(Mend, FacesThatCrossAreCutApartOrNamed) {
   }
 }
 
-}  // namespace
+}  // namespace mend_test
 }  // namespace nilas::mesh

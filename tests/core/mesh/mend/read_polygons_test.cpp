@@ -11,7 +11,7 @@
 #include "tests/support/scratch_folder.h"
 
 namespace nilas::mesh {
-namespace {
+namespace read_polygons_test {
 
 using test::ScratchFolder;
 
@@ -258,5 +258,5 @@ TEST(ReadPolygons, ChangedAndRandomBytesNeverPassUnseen) {
   EXPECT_GT(refused, 300);
 }
 
-}  // namespace
+}  // namespace read_polygons_test
 }  // namespace nilas::mesh

@@ -7,7 +7,7 @@
 #include <limits>
 
 namespace nilas::output {
-namespace {
+namespace csv_row_test {
 
 TEST(CsvRow, FixedPointHasTwelveDecimalsAndNoSignOnZero) {
   CsvRow row;
@@ -48,5 +48,5 @@ TEST(CsvRow, StartsAnewAfterClear) {
   EXPECT_EQ(row.line(), "2\n");
 }
 
-}  // namespace
+}  // namespace csv_row_test
 }  // namespace nilas::output

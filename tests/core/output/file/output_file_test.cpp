@@ -14,7 +14,7 @@
 #include "tests/support/size_limit.h"
 
 namespace nilas::output {
-namespace {
+namespace output_file_test {
 
 using test::read_text;
 using test::ScratchFolder;
@@ -142,5 +142,5 @@ TEST(WriteWhole, KeepsTheOldFileWhenTheNewDoesNotFit) {
   EXPECT_FALSE(std::filesystem::exists(folder / "a.json.part"));
 }
 
-}  // namespace
+}  // namespace output_file_test
 }  // namespace nilas::output

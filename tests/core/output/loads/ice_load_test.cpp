@@ -10,7 +10,7 @@
 #include "tests/core/output/sample_run.h"
 
 namespace nilas::output {
-namespace {
+namespace ice_load_test {
 
 /// 200 steps of 0.01 s of a tow along Y with a ramp of 0.5 s: ice presses from 1 s on with -30 N along the course and
 /// 4 N to port, water with -5 N, and the vessel of 1500 kg gains 0.01 m/s in each step.
@@ -172,5 +172,5 @@ TEST(StructureLoads, AreToldPerFixedBody) {
   EXPECT_EQ(rest.structure_loads()[0].ice.window.from, loads[0].ice.window.from);
 }
 
-}  // namespace
+}  // namespace ice_load_test
 }  // namespace nilas::output

@@ -8,7 +8,7 @@
 #include "tests/core/output/sample_run.h"
 
 namespace nilas::output {
-namespace {
+namespace load_error_test {
 
 const std::vector<std::string> k_names{"contact_fx_N",   "contact_fy_N",  "contact_fz_N",    "contact_mx_Nm",
                                        "contact_my_Nm",  "contact_mz_Nm", "carriage_fx_N",   "carriage_fy_N",
@@ -182,5 +182,5 @@ TEST(LoadError, NothingWithoutAVessel) {
   EXPECT_FALSE(load_error({{}, {}, {0, 1, 0, 100, ""}}, {}, nullptr).has_value()) << "of a run with steps";
 }
 
-}  // namespace
+}  // namespace load_error_test
 }  // namespace nilas::output

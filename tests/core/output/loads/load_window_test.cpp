@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace nilas::output {
-namespace {
+namespace load_window_test {
 
 LoadCourse course_of_ten_seconds() {
   return {.start = 0, .h = 0.01, .steps = 1000, .asked = {}, .ramp_end = {}, .first_ice = {}};
@@ -56,5 +56,5 @@ TEST(LoadWindow, OfARunThatStoppedBeforeItIsTheWholeRun) {
   EXPECT_NE(window.reason.find("no step in the window asked for"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace load_window_test
 }  // namespace nilas::output

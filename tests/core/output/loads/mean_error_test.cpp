@@ -8,7 +8,7 @@
 #include "core/base/random.h"
 
 namespace nilas::output {
-namespace {
+namespace mean_error_test {
 
 /// x_k+1 = phi x_k + noise of variance 1, from its stationary state.
 std::vector<double> autoregressive(double phi, int n, std::uint64_t seed) {
@@ -86,5 +86,5 @@ TEST(MeanError, OfRunsIsTheTextbooks) {
   EXPECT_NEAR(mean_error_of_runs({1, 2, 3, 4}).half_width(), 3.18245 * std::sqrt(5.0 / 3) / 2, 1e-4);
 }
 
-}  // namespace
+}  // namespace mean_error_test
 }  // namespace nilas::output

@@ -5,7 +5,7 @@
 #include <cmath>
 
 namespace nilas::output {
-namespace {
+namespace peak_test {
 
 /// An impact of 3 N s at 1 s on a load of 2 N that lasts 4 s, in steps of h.
 std::vector<double> impact(double h) {
@@ -55,5 +55,5 @@ TEST(Peak, ShareOfTheLargestPercent) {
   EXPECT_EQ(share_of_largest_percent({0, 0}), 0);
 }
 
-}  // namespace
+}  // namespace peak_test
 }  // namespace nilas::output

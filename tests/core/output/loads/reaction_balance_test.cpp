@@ -12,7 +12,7 @@
 #include "tests/core/output/sample_run.h"
 
 namespace nilas::output {
-namespace {
+namespace reaction_balance_test {
 
 sim::RunInfo towed_with_rudder() {
   sim::RunInfo info = test::full_run();
@@ -134,5 +134,5 @@ TEST(ReactionBalance, IsInTheSummary) {
   EXPECT_DOUBLE_EQ(summary["joint_balance"]["rudder"]["relative"], 1e-8);
 }
 
-}  // namespace
+}  // namespace reaction_balance_test
 }  // namespace nilas::output

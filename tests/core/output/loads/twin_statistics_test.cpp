@@ -7,7 +7,7 @@
 #include "tests/core/output/sample_run.h"
 
 namespace nilas::output {
-namespace {
+namespace twin_statistics_test {
 
 /// The sample's one free body has a bounding radius of 0: give it one.
 bodies::Bodies one_metre_across() {
@@ -53,5 +53,5 @@ TEST(TwinHorizon, EndsWhereTheBodiesAreNotTheSameAnyMore) {
   EXPECT_EQ(horizon.horizon().value(), 0.02);
 }
 
-}  // namespace
+}  // namespace twin_statistics_test
 }  // namespace nilas::output

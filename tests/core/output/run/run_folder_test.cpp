@@ -11,7 +11,7 @@
 #include "tests/support/refusal.h"
 
 namespace nilas::output {
-namespace {
+namespace run_folder_test {
 
 namespace fs = std::filesystem;
 using test::full_record;
@@ -315,5 +315,5 @@ TEST(RunFolder, AFullDiskEndsTheRunWithTheFileNamed) {
   test::expect_refusal<FileError>([&] { run.begin(); }, {"vessel.csv: cannot write: No space left"});
 }
 
-}  // namespace
+}  // namespace run_folder_test
 }  // namespace nilas::output

@@ -13,7 +13,7 @@
 #include "tests/support/size_limit.h"
 
 namespace nilas::output {
-namespace {
+namespace run_inputs_test {
 
 namespace fs = std::filesystem;
 using test::read_text;
@@ -174,5 +174,5 @@ TEST_F(RunInputs, AFolderThatHoldsCopiesAloneIsFree) {
   EXPECT_THROW((void)claim_run_folder(run, false), InputError);
 }
 
-}  // namespace
+}  // namespace run_inputs_test
 }  // namespace nilas::output

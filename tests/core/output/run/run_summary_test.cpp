@@ -8,7 +8,7 @@
 
 #include "tests/support/scratch_folder.h"
 
-namespace {
+namespace run_summary_test {
 
 using namespace nilas;
 using namespace nilas::output;
@@ -87,4 +87,4 @@ TEST(RunSummary, OfARunThatLeftNoneKnowsNothing) {
   EXPECT_FALSE(read_run_summary(folder.path()).exists());
 }
 
-}  // namespace
+}  // namespace run_summary_test

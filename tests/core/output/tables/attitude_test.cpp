@@ -6,7 +6,7 @@
 #include <cmath>
 
 namespace nilas::output {
-namespace {
+namespace attitude_test {
 
 Quat from_angles(double yaw, double pitch, double roll) {
   return Eigen::AngleAxisd(yaw, Vec3::UnitZ()) * Eigen::AngleAxisd(pitch, Vec3::UnitY()) *
@@ -83,5 +83,5 @@ TEST(Attitude, GimbalLockBeginsAtItsThreshold) {
   EXPECT_FALSE(euler_angles(from_angles(0, 0.5 * k_pi - 2e-9, 0)).gimbal_lock);
 }
 
-}  // namespace
+}  // namespace attitude_test
 }  // namespace nilas::output

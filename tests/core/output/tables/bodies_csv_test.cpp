@@ -6,7 +6,7 @@
 #include "tests/support/file_text.h"
 
 namespace nilas::output {
-namespace {
+namespace bodies_csv_test {
 
 TEST(BodiesCsv, WritesEveryBodyWithAllItsDigits) {
   const test::ScratchFolder folder;
@@ -26,5 +26,5 @@ TEST(BodiesCsv, WritesEveryBodyWithAllItsDigits) {
   EXPECT_EQ(rows[8], "0.10000000000000001,4,\"wall,\"\"north\"\"\",0,9,0,1,0,0,0,0,0,0,0,0,0");
 }
 
-}  // namespace
+}  // namespace bodies_csv_test
 }  // namespace nilas::output

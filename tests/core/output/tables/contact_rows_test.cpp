@@ -6,7 +6,7 @@
 #include "tests/core/output/sample_run.h"
 
 namespace nilas::output {
-namespace {
+namespace contact_rows_test {
 
 /// Bodies of sample_bodies(): 0 a free floe of 10 kg, 1 a fixed floe, 2 the vessel of 1500 kg, 3 a wall.
 contact::SolvedProblem touching(const std::vector<std::pair<int, int>>& pairs) {
@@ -145,5 +145,5 @@ TEST(ContactsH5, IsNotWrittenWithTheReferenceIntegrator) {
   EXPECT_FALSE(ContactsH5::asked(scene, info));
 }
 
-}  // namespace
+}  // namespace contact_rows_test
 }  // namespace nilas::output

@@ -7,7 +7,7 @@
 #include "tests/support/scratch_folder.h"
 
 namespace nilas::output {
-namespace {
+namespace events_csv_test {
 
 TEST(EventsCsv, HasARowPerBrokenFloe) {
   test::ScratchFolder folder;
@@ -35,5 +35,5 @@ TEST(EventsCsv, HasARowPerBrokenFloe) {
   EXPECT_EQ(rows[2], rows[1]);
 }
 
-}  // namespace
+}  // namespace events_csv_test
 }  // namespace nilas::output

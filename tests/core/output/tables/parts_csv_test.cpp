@@ -8,7 +8,7 @@
 #include "tests/support/file_text.h"
 
 namespace nilas::output {
-namespace {
+namespace parts_csv_test {
 
 TEST(PartsCsv, HasTheTensionOfEachRodBehindTheParts) {
   sim::RunInfo info;
@@ -41,5 +41,5 @@ TEST(PartsCsv, IsTheFileOfAVesselOnRodsWithoutParts) {
   EXPECT_EQ(part_columns({}, {"tie"}), (std::vector<std::string>{"time_s", "rod_tie_N"}));
 }
 
-}  // namespace
+}  // namespace parts_csv_test
 }  // namespace nilas::output

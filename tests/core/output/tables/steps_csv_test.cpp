@@ -7,7 +7,7 @@
 #include "tests/support/file_text.h"
 
 namespace nilas::output {
-namespace {
+namespace steps_csv_test {
 
 using test::full_record;
 using test::full_run;
@@ -45,5 +45,5 @@ TEST(StepsCsv, ALedgerOfOtherWorksIsABrokenContract) {
 
 TEST(StepsCsv, AFullDiskEndsIt) { EXPECT_THROW(StepsCsv("/dev/full", full_run()), FileError); }
 
-}  // namespace
+}  // namespace steps_csv_test
 }  // namespace nilas::output

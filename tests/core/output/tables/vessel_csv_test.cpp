@@ -8,7 +8,7 @@
 #include "tests/support/file_text.h"
 
 namespace nilas::output {
-namespace {
+namespace vessel_csv_test {
 
 using test::cells_of;
 using test::full_record;
@@ -149,5 +149,5 @@ TEST(VesselCsv, RoundingKeepsNewtonsLaw) {
   EXPECT_LT(found.norm(), 1e-6 * 9.81 * mass * 1e-4);
 }
 
-}  // namespace
+}  // namespace vessel_csv_test
 }  // namespace nilas::output

@@ -10,7 +10,7 @@
 #include "tests/support/file_text.h"
 
 namespace nilas::output {
-namespace {
+namespace console_test {
 
 TEST(ProgressText, SaysPercentTimesRateFactorAndRemaining) {
   const RunProgress progress{15, 0, 60, 1500, 30};
@@ -137,5 +137,5 @@ TEST(ClosingAccount, ShowsWhereTheTimeWentAndTheWorstValues) {
       << with_twins;
 }
 
-}  // namespace
+}  // namespace console_test
 }  // namespace nilas::output

@@ -6,7 +6,7 @@
 #include "core/base/error.h"
 #include "core/output/text/html.h"
 
-namespace {
+namespace fill_template_test {
 
 using namespace nilas;
 using namespace nilas::output;
@@ -68,4 +68,4 @@ TEST(Template, RefusesWhatItCannotFill) {
 
 TEST(Html, LeavesNoMarkupInText) { EXPECT_EQ(html_text("<a href='b'>\"&"), "&lt;a href=&#39;b&#39;&gt;&quot;&amp;"); }
 
-}  // namespace
+}  // namespace fill_template_test

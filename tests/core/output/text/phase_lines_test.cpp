@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace nilas::output {
-namespace {
+namespace phase_lines_test {
 
 /// Exact in binary, so that times can be met to the bit.
 constexpr PhaseTimes k_times{.first = 2, .settle = 0.5, .redraw = 1, .again = 10};
@@ -57,5 +57,5 @@ TEST(PhaseLines, CountTimeFromWhenTheyAreTold) {
   EXPECT_EQ(lines.due(), k_start + 15);
 }
 
-}  // namespace
+}  // namespace phase_lines_test
 }  // namespace nilas::output

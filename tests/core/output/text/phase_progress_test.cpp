@@ -7,7 +7,7 @@
 #include <sstream>
 
 namespace nilas::output {
-namespace {
+namespace phase_progress_test {
 
 constexpr PhaseTimes k_at_once{.first = 0, .settle = 0, .redraw = 1e6, .again = 1e6}, k_never{.first = 1e6};
 
@@ -89,5 +89,5 @@ TEST(PhaseProgress, GivesWayToMessages) {
   EXPECT_EQ(text.text(), "\r\x1b[Kpacking\r\x1b[Kthin ice\nagain\n");
 }
 
-}  // namespace
+}  // namespace phase_progress_test
 }  // namespace nilas::output

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace nilas::output {
-namespace {
+namespace slowdown_test {
 
 sim::StepRecord step(double solver_ms, int contacts) {
   sim::StepRecord record;
@@ -33,5 +33,5 @@ TEST(Slowdown, SaysNothingOfShortRuns) {
   EXPECT_EQ(costs.slowdown(0), "");
 }
 
-}  // namespace
+}  // namespace slowdown_test
 }  // namespace nilas::output

@@ -7,7 +7,7 @@
 #include "tests/core/output/sample_run.h"
 
 namespace nilas::output {
-namespace {
+namespace body_surface_test {
 
 /// Volume by signed cones from the origin over each polygon's fan; also checks that every edge has its opposite.
 double closed_volume(const PolygonSurface& surface) {
@@ -65,5 +65,5 @@ TEST(BodySurface, APlaneHasNone) {
   EXPECT_TRUE(polygon_surface(shape).ends.empty());
 }
 
-}  // namespace
+}  // namespace body_surface_test
 }  // namespace nilas::output

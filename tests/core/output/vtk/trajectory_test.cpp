@@ -11,7 +11,7 @@
 #include "tests/core/output/sample_run.h"
 
 namespace nilas::output {
-namespace {
+namespace trajectory_test {
 
 using test::sample_bodies;
 using test::ScratchFolder;
@@ -216,5 +216,5 @@ TEST(Trajectory, AFolderThatCannotBeMadeIsAFileError) {
   EXPECT_THROW(Trajectory(folder.path(), sample_scene(), false), FileError);
 }
 
-}  // namespace
+}  // namespace trajectory_test
 }  // namespace nilas::output

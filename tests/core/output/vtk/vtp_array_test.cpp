@@ -7,7 +7,7 @@
 #include "core/base/error.h"
 
 namespace nilas::output {
-namespace {
+namespace vtp_array_test {
 
 /// Whether a block keeps the format's rules for its end, which decoders of other makes rely on.
 void expect_a_lawful_end(const std::string& block) {
@@ -125,5 +125,5 @@ TEST(DataArray, IsAnElementWithHeaderAndBlockInBase64) {
             "AQAAAAMAAAAAAAAABAAAAA==MAECAw==</DataArray>\n");
 }
 
-}  // namespace
+}  // namespace vtp_array_test
 }  // namespace nilas::output

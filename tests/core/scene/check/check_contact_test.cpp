@@ -4,7 +4,7 @@
 #include "tests/core/scene/scene_files.h"
 
 namespace nilas::scene {
-namespace {
+namespace check_contact_test {
 
 using testing::expect_fault;
 using testing::in_scene;
@@ -66,5 +66,5 @@ TEST(CheckContact, AllFaultsAreToldAtOnce) {
   EXPECT_EQ(places, expected) << text_of(faults);
 }
 
-}  // namespace
+}  // namespace check_contact_test
 }  // namespace nilas::scene

@@ -6,7 +6,7 @@
 #include "tests/core/scene/complete_scene.h"
 
 namespace nilas::scene {
-namespace {
+namespace cross_checks_test {
 
 using testing::expect_fault;
 using testing::in_scene;
@@ -155,5 +155,5 @@ TEST(CrossChecks, AKnownFaultDoesNotBringAnother) {
   EXPECT_EQ(folder.faults(in_scene("<body shape='plane' fixed='no'/>")).size(), 1u);
 }
 
-}  // namespace
+}  // namespace cross_checks_test
 }  // namespace nilas::scene

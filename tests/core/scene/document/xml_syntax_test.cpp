@@ -4,7 +4,7 @@
 #include "tests/core/scene/complete_scene.h"
 
 namespace nilas::scene {
-namespace {
+namespace xml_syntax_test {
 
 using testing::expect_fault;
 using testing::SceneFolder;
@@ -79,5 +79,5 @@ TEST(XmlSyntax, ByteOrderMarkAndWindowsLines) {
   EXPECT_TRUE(folder.faults("\xEF\xBB\xBF<scene version='1'/>\r\n").empty());
 }
 
-}  // namespace
+}  // namespace xml_syntax_test
 }  // namespace nilas::scene

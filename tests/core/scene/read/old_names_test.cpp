@@ -7,7 +7,7 @@
 #include "tests/support/refusal.h"
 
 namespace nilas::scene {
-namespace {
+namespace old_names_test {
 
 using testing::in_scene;
 using testing::SceneFolder;
@@ -72,5 +72,5 @@ TEST(OldNames, AShippedSceneThatMovedIsNamed) {
   EXPECT_EQ(read_scene(old_file).name, "mine") << "one's own scene may be called so";
 }
 
-}  // namespace
+}  // namespace old_names_test
 }  // namespace nilas::scene

@@ -6,7 +6,7 @@
 #include "tests/core/scene/scene_files.h"
 
 namespace nilas::scene {
-namespace {
+namespace overrides_test {
 
 using testing::expect_fault;
 using testing::SceneFolder;
@@ -112,5 +112,5 @@ TEST(SplitOverride, AtTheEqualsSignBehindTheAttribute) {
   EXPECT_THROW(split_override("body[@name='box']/@mass"), InputError);
 }
 
-}  // namespace
+}  // namespace overrides_test
 }  // namespace nilas::scene

@@ -6,7 +6,7 @@
 #include "tests/core/scene/complete_scene.h"
 
 namespace nilas::scene {
-namespace {
+namespace read_scene_test {
 
 using testing::in_scene;
 using testing::SceneFolder;
@@ -296,5 +296,5 @@ TEST(ReadScene, AFileThatCannotBeOpenedIsAFileError) {
   EXPECT_THROW(read_scene(folder.path()), FileError) << "a folder";
 }
 
-}  // namespace
+}  // namespace read_scene_test
 }  // namespace nilas::scene

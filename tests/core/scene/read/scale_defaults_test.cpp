@@ -8,7 +8,7 @@
 #include "tests/core/scene/scene_files.h"
 
 namespace nilas::scene {
-namespace {
+namespace scale_defaults_test {
 
 using testing::in_scene;
 using testing::SceneFolder;
@@ -118,5 +118,5 @@ TEST(IcePresets, KeepToWhatIceIs) {
   }
 }
 
-}  // namespace
+}  // namespace scale_defaults_test
 }  // namespace nilas::scene

@@ -11,7 +11,7 @@
 #include "tests/core/scene/complete_scene.h"
 
 namespace nilas::scene {
-namespace {
+namespace schema_test {
 
 using testing::in_scene;
 using testing::SceneFolder;
@@ -203,5 +203,5 @@ TEST(Markdown, TablesAreRectangular) {
   }
 }
 
-}  // namespace
+}  // namespace schema_test
 }  // namespace nilas::scene

@@ -9,7 +9,7 @@
 #include "core/sim/simulation.h"
 #include "tests/support/scratch_folder.h"
 
-namespace {
+namespace ledger_test {
 
 using namespace nilas;
 using namespace nilas::sim;
@@ -105,4 +105,4 @@ TEST(Modules, AreBuiltForWhatASceneNamesOnly) {
   EXPECT_EQ(built(floe + "<hydro><drag/><buoyancy/></hydro>").size(), built(floe).size() + 2);
 }
 
-}  // namespace
+}  // namespace ledger_test

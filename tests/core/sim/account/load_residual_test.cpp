@@ -7,7 +7,7 @@
 #include "contact/measure/measure.h"
 
 namespace nilas::sim {
-namespace {
+namespace load_residual_test {
 
 constexpr double k_mass = 2;
 
@@ -103,5 +103,5 @@ TEST(LoadResidual, OfTheLawIsSigned) {
   EXPECT_NEAR(e.law.force.y(), e.law.force.z(), 1e-15);
 }
 
-}  // namespace
+}  // namespace load_residual_test
 }  // namespace nilas::sim

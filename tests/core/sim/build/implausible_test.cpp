@@ -13,7 +13,7 @@
 #include "tests/support/scratch_folder.h"
 
 namespace nilas::sim {
-namespace {
+namespace implausible_test {
 
 class Implausible : public ::testing::Test {
  protected:
@@ -163,5 +163,5 @@ TEST_F(Implausible, ARampAndAStepThatDoNotFitThePeriods) {
   EXPECT_TRUE(stiff.empty()) << text(stiff);
 }
 
-}  // namespace
+}  // namespace implausible_test
 }  // namespace nilas::sim

@@ -11,7 +11,7 @@
 #include "tests/support/scratch_folder.h"
 
 namespace nilas::sim {
-namespace {
+namespace natural_periods_test {
 
 constexpr double k_length = 12, k_beam = 4, k_depth = 2, k_draught = 1, k_water = 1000, k_gravity = 9.81;
 constexpr double k_mass = k_water * k_length * k_beam * k_draught;
@@ -70,5 +70,5 @@ TEST(NaturalPeriods, OnARigidBalanceOnlyTheFreeAxesHaveOne) {
   EXPECT_NEAR(found.at("heave").period, period(k_mass, k_water * k_gravity * k_length * k_beam), 1e-6);
 }
 
-}  // namespace
+}  // namespace natural_periods_test
 }  // namespace nilas::sim

@@ -12,7 +12,7 @@
 #include "tests/support/scratch_folder.h"
 
 namespace nilas::sim {
-namespace {
+namespace vary_ice_test {
 
 constexpr double k_water = 1005;
 
@@ -165,5 +165,5 @@ TEST_F(VaryIce, IceAsHeavyAsTheWaterIsRefusedWithItsLine) {
                        {"heavy.xml:5: <ice><vary>: density varies about 1000 kg/m^3"});
 }
 
-}  // namespace
+}  // namespace vary_ice_test
 }  // namespace nilas::sim

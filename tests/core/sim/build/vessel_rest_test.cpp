@@ -12,7 +12,7 @@
 #include "tests/core/sim/scene_rig.h"
 #include "tests/support/refusal.h"
 
-namespace {
+namespace vessel_rest_test {
 
 using namespace nilas;
 using namespace nilas::sim;
@@ -212,4 +212,4 @@ TEST(VesselRest, ThreadsAndCheckpointsKeepItsBits) {
   }
 }
 
-}  // namespace
+}  // namespace vessel_rest_test

@@ -11,7 +11,7 @@
 #include "tests/core/sim/scene_rig.h"
 #include "tests/support/refusal.h"
 
-namespace {
+namespace reference_test {
 
 using namespace nilas;
 using namespace nilas::sim;
@@ -340,4 +340,4 @@ TEST(Reference, TooManyContactsAtOnceAreSaidToBeSo) {
   EXPECT_THROW(falling.simulation.step(), SimulationError);
 }
 
-}  // namespace
+}  // namespace reference_test

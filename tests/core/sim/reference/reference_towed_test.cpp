@@ -10,7 +10,7 @@
 #include "core/sim/simulation.h"
 #include "tests/core/sim/scene_rig.h"
 
-namespace {
+namespace reference_towed_test {
 
 using namespace nilas;
 using namespace nilas::sim;
@@ -276,4 +276,4 @@ TEST(ReferenceTowed, TheSchemesApproachIt) {
   }
 }
 
-}  // namespace
+}  // namespace reference_towed_test

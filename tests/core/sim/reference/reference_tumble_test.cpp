@@ -13,7 +13,7 @@
 #include "core/sim/simulation.h"
 #include "tests/support/scratch_folder.h"
 
-namespace {
+namespace reference_tumble_test {
 
 using namespace nilas;
 using namespace nilas::sim;
@@ -124,4 +124,4 @@ INSTANTIATE_TEST_SUITE_P(Tops, ReferenceTumble,
                                          TopCase{"Unstable", {1e-3, 3, 2e-3}, {5e-12, 2e-10, 2e-7}}),
                          [](const auto& param) { return param.param.name; });
 
-}  // namespace
+}  // namespace reference_tumble_test

@@ -9,7 +9,7 @@
 #include "tests/core/sim/scene_rig.h"
 #include "tests/support/refusal.h"
 
-namespace {
+namespace reference_vessel_test {
 
 using namespace nilas;
 using namespace nilas::sim;
@@ -147,4 +147,4 @@ TEST(ReferenceVessel, RefusesWhatItDoesNotTakeByName) {
       "the cylinder 'post' as a part of the vessel");
 }
 
-}  // namespace
+}  // namespace reference_vessel_test

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace {
+namespace advance_test {
 
 using namespace nilas;
 using namespace nilas::sim;
@@ -92,4 +92,4 @@ TEST(Displace, LeavesVelocitiesAlone) {
   EXPECT_NEAR(bodies.p_GB[0].x(), 0.01, 1e-16);
 }
 
-}  // namespace
+}  // namespace advance_test

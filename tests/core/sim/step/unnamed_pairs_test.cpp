@@ -8,7 +8,7 @@
 #include "core/sim/simulation.h"
 #include "tests/support/scratch_folder.h"
 
-namespace {
+namespace unnamed_pairs_test {
 
 using namespace nilas;
 using namespace nilas::sim;
@@ -58,4 +58,4 @@ TEST_F(UnnamedPairs, AreNotWarnedOfAgainInAResumedRun) {
   EXPECT_EQ(of_pairs(of_the_rest), Counts{});
 }
 
-}  // namespace
+}  // namespace unnamed_pairs_test

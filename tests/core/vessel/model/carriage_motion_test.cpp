@@ -9,7 +9,7 @@
 #include "tests/support/refusal.h"
 
 namespace nilas::vessel {
-namespace {
+namespace carriage_motion_test {
 
 std::string fault(const std::string& text) {
   const example::TemporaryFile file(text);
@@ -131,5 +131,5 @@ TEST(CarriageMotion, RefusesWrongPaths) {
   EXPECT_THROW(CarriageMotion::path(Vec3::Zero(), 0, "/nonexistent/track.csv"), FileError);
 }
 
-}  // namespace
+}  // namespace carriage_motion_test
 }  // namespace nilas::vessel

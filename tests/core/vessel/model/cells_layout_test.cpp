@@ -7,7 +7,7 @@
 #include "tests/support/refusal.h"
 
 namespace nilas::vessel {
-namespace {
+namespace cells_layout_test {
 
 const char* const k_header = "x_m,y_m,z_m,ax,ay,az\n";
 
@@ -78,5 +78,5 @@ TEST(CellsLayout, CondensedStiffnessIsThatOfAJointInSeries) {
   EXPECT_EQ(condensed_stiffness(A, k, {0, 1, 2, 3, 4, 5}), Mat6::Zero());
 }
 
-}  // namespace
+}  // namespace cells_layout_test
 }  // namespace nilas::vessel

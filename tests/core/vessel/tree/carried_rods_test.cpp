@@ -7,7 +7,7 @@
 #include "tests/support/refusal.h"
 
 namespace nilas::vessel {
-namespace {
+namespace carried_rods_test {
 
 const std::vector<std::optional<double>> k_schemes{std::nullopt, 0.5};
 
@@ -205,5 +205,5 @@ TEST(CarriedRods, SixHoldAVesselFast) {
   EXPECT_LT(system.state().v.norm() + system.state().w.norm(), 1e-12);
 }
 
-}  // namespace
+}  // namespace carried_rods_test
 }  // namespace nilas::vessel

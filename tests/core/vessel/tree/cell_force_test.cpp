@@ -6,7 +6,7 @@
 #include "tests/core/vessel/example_vessel.h"
 
 namespace nilas::vessel {
-namespace {
+namespace cell_force_test {
 
 /// Cells anywhere, with axes of any direction, that tell the loads apart well.
 std::array<LoadCell, 6> random_cells(RandomStream& random) {
@@ -81,5 +81,5 @@ TEST(CellForce, PressesBackWhereTheVesselMovesAlongTheAxis) {
   EXPECT_EQ(VesselTree(model.mass, carriage_joint(model), {}).cell_force(), VecX::Zero(6));
 }
 
-}  // namespace
+}  // namespace cell_force_test
 }  // namespace nilas::vessel

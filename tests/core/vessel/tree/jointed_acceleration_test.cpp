@@ -6,7 +6,7 @@
 #include "tests/core/vessel/tree/jointed_example.h"
 
 namespace nilas::vessel {
-namespace {
+namespace jointed_acceleration_test {
 
 constexpr double k_h = 0.01;
 constexpr double k_acceleration = 0.8;  ///< Acceleration of the carriage along its own x [m/s^2].
@@ -139,5 +139,5 @@ TEST(JointedAccelerationWork, IsWhatTheBodiesGain) {
   }
 }
 
-}  // namespace
+}  // namespace jointed_acceleration_test
 }  // namespace nilas::vessel

@@ -6,7 +6,7 @@
 #include "tests/core/vessel/tree/jointed_example.h"
 
 namespace nilas::vessel {
-namespace {
+namespace jointed_cells_test {
 
 constexpr double k_h = 0.01;
 const std::vector<std::optional<double>> k_schemes{std::nullopt, 0.5};
@@ -176,5 +176,5 @@ TEST(JointedCells, GoOnFromTheirSavedStateWithTheSameBits) {
   }
 }
 
-}  // namespace
+}  // namespace jointed_cells_test
 }  // namespace nilas::vessel

@@ -5,7 +5,7 @@
 #include "tests/core/vessel/tree/jointed_example.h"
 
 namespace nilas::vessel {
-namespace {
+namespace jointed_pendulum_test {
 
 VecX state_of(const VesselSystem& system) {
   const auto& parts = system.parts();
@@ -128,5 +128,5 @@ TEST(JointSpring, IsStableAtAnyStiffness) {
   }
 }
 
-}  // namespace
+}  // namespace jointed_pendulum_test
 }  // namespace nilas::vessel

@@ -4,7 +4,7 @@
 #include "tests/core/vessel/tree/jointed_example.h"
 
 namespace nilas::vessel {
-namespace {
+namespace jointed_rest_test {
 
 constexpr double k_h = 0.01;
 const std::vector<std::optional<double>> k_schemes{std::nullopt, 0.5};
@@ -157,5 +157,5 @@ TEST(JointedRest, AsPlacedHasTheTareOfRest) {
   EXPECT_NE(settled.coordinates(), before);
 }
 
-}  // namespace
+}  // namespace jointed_rest_test
 }  // namespace nilas::vessel

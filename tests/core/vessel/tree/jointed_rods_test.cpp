@@ -5,7 +5,7 @@
 #include "tests/core/vessel/tree/rod_example.h"
 
 namespace nilas::vessel {
-namespace {
+namespace jointed_rods_test {
 
 const std::vector<std::optional<double>> k_schemes{std::nullopt, 0.5};
 
@@ -290,5 +290,5 @@ TEST(JointedRods, AnAbandonedStepLeavesNothingBehind) {
   }
 }
 
-}  // namespace
+}  // namespace jointed_rods_test
 }  // namespace nilas::vessel

@@ -6,7 +6,7 @@
 #include "tests/core/vessel/tree/jointed_example.h"
 
 namespace nilas::vessel {
-namespace {
+namespace jointed_vessel_test {
 
 const std::vector<std::optional<double>> k_schemes{std::nullopt, 0.5};
 
@@ -265,5 +265,5 @@ TEST(JointedVessel, ImpossiblePartsAreInputErrors) {
   EXPECT_THROW(VesselSystem(model, 0), InputError);
 }
 
-}  // namespace
+}  // namespace jointed_vessel_test
 }  // namespace nilas::vessel

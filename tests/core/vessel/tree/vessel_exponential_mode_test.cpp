@@ -8,7 +8,7 @@
 #include "core/vessel/tree/exponential_mode.h"
 
 namespace nilas::vessel {
-namespace {
+namespace vessel_exponential_mode_test {
 
 constexpr double k_h = 0.01;
 
@@ -160,5 +160,5 @@ TEST(VesselExponentialMode, NumericalDampingSetsInBelowFourStepsPerPeriod) {
   EXPECT_EQ(least_damping_ratio(1e6), 1);
 }
 
-}  // namespace
+}  // namespace vessel_exponential_mode_test
 }  // namespace nilas::vessel

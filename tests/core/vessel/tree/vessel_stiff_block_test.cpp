@@ -6,7 +6,7 @@
 #include "core/vessel/tree/stiff_block.h"
 
 namespace nilas::vessel {
-namespace {
+namespace vessel_stiff_block_test {
 
 MatX random_spd(RandomStream& random, int n) {
   MatX a(n, n);
@@ -125,5 +125,5 @@ TEST(VesselStiffBlock, RefusesIndefiniteInput) {
   EXPECT_THROW(stiff_block(MatX::Identity(2, 2), MatX::Zero(2, 2), 0, {0}, 0.01), SimulationError);
 }
 
-}  // namespace
+}  // namespace vessel_stiff_block_test
 }  // namespace nilas::vessel

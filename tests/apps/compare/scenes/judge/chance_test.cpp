@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-namespace {
+namespace chance_test {
 
 using namespace nilas;
 using namespace nilas::compare;
@@ -62,4 +62,4 @@ TEST(PooledVariance, OfRunsThatAreAllAlikeIsNone) {
   EXPECT_EQ(pooled_variance({0, 0}, {{0, 0}, {0, 0}, {0, 0}}).value, 0);
 }
 
-}  // namespace
+}  // namespace chance_test

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace {
+namespace load_errors_test {
 
 using namespace nilas;
 using namespace nilas::compare;
@@ -133,4 +133,4 @@ TEST(LoadErrors, ChaosIsTheLesserOfTheComparisonsAndOfTwoRunsThatEachSayTheirOwn
   EXPECT_NEAR(grid.found.rows[0].load_error->chaos, std::sqrt(0.5), 1e-12);
 }
 
-}  // namespace
+}  // namespace load_errors_test

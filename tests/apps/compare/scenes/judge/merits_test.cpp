@@ -9,7 +9,7 @@
 #include "core/base/statistics.h"
 #include "tests/support/scratch_folder.h"
 
-namespace {
+namespace merits_test {
 
 using namespace nilas;
 using namespace nilas::compare;
@@ -263,4 +263,4 @@ TEST(Merits, AreOverTheSameWindowWhateverAStepSaysOfTheFirstContact) {
   EXPECT_EQ(found.windows[0]->reason, "from the first contact");
 }
 
-}  // namespace
+}  // namespace merits_test

@@ -9,7 +9,7 @@
 
 #include "core/base/statistics.h"
 
-namespace {
+namespace paired_test {
 
 using namespace nilas;
 using namespace nilas::compare;
@@ -100,4 +100,4 @@ TEST(PairedDifference, TakesChanceForADifferenceOnceInTwenty) {
       0.05, k_within);
 }
 
-}  // namespace
+}  // namespace paired_test

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace {
+namespace ranking_test {
 
 using namespace nilas;
 using namespace nilas::compare;
@@ -109,4 +109,4 @@ TEST(Orders, AreSlopesOverThreeStepsThatTellAnError) {
   EXPECT_TRUE(found.orders.empty());
 }
 
-}  // namespace
+}  // namespace ranking_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace shared_realisations_test {
 
 using namespace nilas;
 using namespace nilas::compare;
@@ -54,4 +54,4 @@ TEST(SharedRealisations, AreTheOneWithTheMostWhereNoneHasEnough) {
   EXPECT_TRUE(shared_realisations({}, {}).empty());
 }
 
-}  // namespace
+}  // namespace shared_realisations_test

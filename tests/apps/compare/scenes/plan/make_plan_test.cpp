@@ -9,7 +9,7 @@
 #include <numeric>
 #include <set>
 
-namespace {
+namespace make_plan_test {
 
 using namespace nilas;
 using namespace nilas::compare;
@@ -246,4 +246,4 @@ TEST(Realisation, ZeroIsTheSceneItselfAndATwinHasItsSeed) {
   EXPECT_EQ(realisation_overrides(7, {"", RunKind::grid, 0, 2, 0}, false)[0].second, "7");
 }
 
-}  // namespace
+}  // namespace make_plan_test

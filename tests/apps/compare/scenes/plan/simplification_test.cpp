@@ -9,7 +9,7 @@
 #include "apps/compare/scenes/plan/grid.h"
 #include "tests/support/program.h"
 
-namespace {
+namespace simplification_test {
 
 using namespace nilas;
 using namespace nilas::compare;
@@ -133,4 +133,4 @@ TEST(Simplification, WhatNilasDoesNotModelIsSaid) {
   EXPECT_TRUE(names.count("creep"));
 }
 
-}  // namespace
+}  // namespace simplification_test

@@ -8,7 +8,7 @@
 #include "apps/compare/scenes/judge/floors.h"
 #include "core/base/statistics.h"
 
-namespace {
+namespace outlook_test {
 
 using namespace nilas;
 using namespace nilas::compare;
@@ -124,4 +124,4 @@ TEST(Outlook, NamesTheBudgetThatLeavesNothingOut) {
   EXPECT_EQ(outlook_lines(cut.view(), cut.study, cut.found).size(), 1U);
 }
 
-}  // namespace
+}  // namespace outlook_test

@@ -9,7 +9,7 @@
 #include <map>
 #include <set>
 
-namespace {
+namespace allotment_test {
 
 using namespace nilas;
 using namespace nilas::compare;
@@ -193,4 +193,4 @@ TEST(Allotment, SaysWhatBudgetWouldDo) {
   EXPECT_FALSE(needed_budget(plan, RunEnd{}, 0, 2).has_value());
 }
 
-}  // namespace
+}  // namespace allotment_test

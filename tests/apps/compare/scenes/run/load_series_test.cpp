@@ -7,7 +7,7 @@
 
 #include "tests/support/scratch_folder.h"
 
-namespace {
+namespace load_series_test {
 
 using namespace nilas;
 using namespace nilas::compare;
@@ -55,4 +55,4 @@ TEST(LoadSeries, IsNotKnownWhereTheRunHasNoStep) {
   EXPECT_TRUE(std::isnan(statistics_over(LoadSeries{}, 0, 0, 1).p99));
 }
 
-}  // namespace
+}  // namespace load_series_test

@@ -7,7 +7,7 @@
 #include "core/base/error.h"
 #include "tests/support/scratch_folder.h"
 
-namespace {
+namespace motion_test {
 
 using namespace nilas;
 using namespace nilas::compare;
@@ -68,4 +68,4 @@ TEST(Distances, BridgeTimesThatDifferALittle) {
   EXPECT_NEAR(apart[1].largest, 0, 1e-15);
 }
 
-}  // namespace
+}  // namespace motion_test

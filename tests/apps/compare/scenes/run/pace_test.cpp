@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace pace_test {
 
 using namespace nilas;
 using namespace nilas::compare;
@@ -45,4 +45,4 @@ TEST(Pace, TellsWhatIsLeft) {
   EXPECT_DOUBLE_EQ(pace.realisation_s(plan, 2), (3 + 3 + 6) / 2.0);
 }
 
-}  // namespace
+}  // namespace pace_test
