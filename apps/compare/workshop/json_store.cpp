@@ -10,7 +10,7 @@ namespace nilas::compare {
 Json number_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 std::string json_text(const Json& json) {
-  constexpr int k_indent = 1;
+  constexpr int k_indent = 2;  // as all other commands
   return json.dump(k_indent, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -12,7 +12,8 @@ using Json = nlohmann::ordered_json;
 /// The value, or null if it is not finite, because JSON has no NaN and no infinity.
 Json number_or_null(double value);
 
-/// The text of a JSON object for files and `--json`. Bytes that are no UTF-8 are replaced.
+/// The text of a JSON object for files and `--json`, indented as by the other commands. Bytes that are no UTF-8 are
+/// replaced.
 std::string json_text(const Json& json);
 /// Writes a whole file and then renames it to its name. Throws FileError.
 void write_json(const std::filesystem::path& file, const Json& json);
