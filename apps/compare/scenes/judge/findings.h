@@ -109,9 +109,10 @@ struct Coverage {
   double width = 0;  ///< median of the ratio of estimate to measured error
 };
 
-/// The recommended setting, and a faster one with deeper penetration.
+/// The recommended setting, and faster ones that are not recommended.
 struct Choice {
   std::optional<std::size_t> chosen;  ///< fastest setting within k_target of the reference, or within the floor
+  std::optional<std::size_t> faster;  ///< fastest of those as accurate, but not significantly faster than `chosen`
   std::optional<std::size_t> deeper;  ///< faster still and as accurate, but with far deeper penetration
 };
 

@@ -54,6 +54,11 @@ std::vector<Merit> with_dominance(std::vector<Merit> merits) {
   return merits;
 }
 
+double significant_speed_ratio(double time_spread) {
+  constexpr double k_sure = 3, k_spread_if_unknown = 0.1;
+  return std::exp(k_sure * std::sqrt(2.0) * (std::isnan(time_spread) ? k_spread_if_unknown : time_spread));
+}
+
 Choice choose(const std::vector<Merit>& merits, const Measure& measure, double common_floor, double time_spread) {
   Choice choice;
   constexpr double k_deeper = 2, k_immaterial_m = 1e-6;
@@ -65,15 +70,14 @@ Choice choose(const std::vector<Merit>& merits, const Measure& measure, double c
     if (complete(m) && shown_error(m) <= good_enough) (m.penetration_max_m > deepest ? deeper : enough).push_back(&m);
   if (enough.empty()) return choice;
   const auto by_time = [](const Merit* a, const Merit* b) { return a->time < b->time; };
-  const double fastest = (*std::min_element(enough.begin(), enough.end(), by_time))->time;
-  // the factor by which times scatter: three standard deviations of a ratio
-  constexpr double k_sure = 3, k_spread_if_unknown = 0.1;
-  const double sure = std::exp(k_sure * std::sqrt(2.0) * (std::isnan(time_spread) ? k_spread_if_unknown : time_spread));
-  std::erase_if(enough, [&](const Merit* m) { return m->time > fastest * sure; });
+  const Merit& fastest = **std::min_element(enough.begin(), enough.end(), by_time);
+  const double sure = significant_speed_ratio(time_spread);
+  std::erase_if(enough, [&](const Merit* m) { return m->time > fastest.time * sure; });
   const auto by_error = [](const Merit* a, const Merit* b) { return shown_error(*a) < shown_error(*b); };
   choice.chosen =
       enough.front()->setting == 0 ? 0 : (*std::min_element(enough.begin(), enough.end(), by_error))->setting;
-  std::erase_if(deeper, [&](const Merit* m) { return m->time * sure > fastest; });
+  if (fastest.time < merits[*choice.chosen].time) choice.faster = fastest.setting;
+  std::erase_if(deeper, [&](const Merit* m) { return m->time * sure > fastest.time; });
   if (!deeper.empty()) choice.deeper = (*std::min_element(deeper.begin(), deeper.end(), by_time))->setting;
   return choice;
 }

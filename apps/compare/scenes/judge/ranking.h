@@ -11,6 +11,10 @@ constexpr std::size_t k_least_order_steps = 3;
 /// floor count as equal. A setting that is not complete is dominated.
 std::vector<Merit> with_dominance(std::vector<Merit> merits);
 
+/// The ratio of two computing times above which one setting is significantly faster: three standard deviations of a
+/// ratio of times. `time_spread`: relative standard deviation of times; NaN: not known, 0.1 is then taken.
+double significant_speed_ratio(double time_spread);
+
 /// Chooses the fastest setting that is accurate enough. Among settings whose times do not differ significantly it is
 /// the most accurate one, or the scene's own setting if that is among them.
 Choice choose(const std::vector<Merit>& merits, const Measure& measure, double common_floor, double time_spread);

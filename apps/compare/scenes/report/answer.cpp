@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "apps/compare/scenes/report/paired_text.h"
+#include "apps/compare/scenes/judge/ranking.h"
 
 namespace nilas::compare {
 
@@ -18,14 +18,12 @@ std::string speed_text(double ratio) {
   return "about as fast as";
 }
 
-/// The ice over which means are taken.
-std::string such_ice(const Findings& found) { return found.same_ice ? "this ice" : "ice of this kind"; }
-
 /// The quantity of which errors in percent are shares.
-std::string scale_text(const Findings& found) {
+std::string scale_text(const SceneReport& report) {
+  const Findings& found = report.found;
   if (found.measure.is_load())
-    return fmt::format("the reference's mean ice load ({} along the course)",
-                       quantity_text(found.reference.mean.mean, "N"));
+    return fmt::format("the reference's mean ice load ({} along the course over {})",
+                       quantity_text(found.reference.mean.mean, "N"), window_text(report));
   if (found.measure.name == "turn") return "1 rad";
   return fmt::format("the longest path of a body ({})", quantity_text(found.measure.scale, "m"));
 }
@@ -35,42 +33,65 @@ bool hidden_by_chance(const Merit& m, const Findings& found) {
   return !m.significant && m.floor > k_target * found.measure.scale;
 }
 
-std::string accuracy_text(const Merit& m, const Findings& found) {
+std::string accuracy_text(const Merit& m, const SceneReport& report) {
+  const Findings& found = report.found;
   const Measure& measure = found.measure;
   const std::string floor = quantity_text(m.floor, measure.unit), share = percent_text(m.floor / measure.scale);
   if (measure.is_load()) {
     if (hidden_by_chance(m, found))
       return fmt::format("its mean ice load cannot be distinguished from {}; differences up to {} ({}) may be chance",
-                         scale_text(found), floor, share);
-    return fmt::format("its mean ice load is within {} of {}", percent_text(k_target), scale_text(found));
+                         scale_text(report), floor, share);
+    return fmt::format("its mean ice load is within {} of {}", percent_text(k_target), scale_text(report));
   }
   const std::string error = measure.name == "turn" ? "error in attitude" : "error in position";
   if (hidden_by_chance(m, found))
     return fmt::format("its {} is not significant; errors up to {} may be chance", error, floor);
-  return fmt::format("its {} is below {} of {}", error, percent_text(k_target), scale_text(found));
+  return fmt::format("its {} is below {} of {}", error, percent_text(k_target), scale_text(report));
+}
+
+/// Names the setting that was faster than the recommended one and as accurate, but not significantly faster.
+void say_faster(const SceneReport& report, std::vector<std::string>& lines) {
+  const Findings& found = report.found;
+  if (!found.choice.faster) return;
+  const Merit &best = found.merits[*found.choice.chosen], &other = found.merits[*found.choice.faster];
+  const std::string took = fmt::format("{:.3g} s", other.time), instead = fmt::format("{:.3g} s", best.time);
+  if (took == instead) return;
+  const std::string scatter = std::isnan(found.time_spread)
+                                  ? "the scatter of times was not measured"
+                                  : "times of one setting scatter by " + percent_text(found.time_spread);
+  lines.push_back(fmt::format(
+      "{} was as accurate and took {} instead of {}, but only a factor above {:.3g} is significant, since {}.",
+      report.quoted_label(other.setting), took, instead, significant_speed_ratio(found.time_spread), scatter));
+}
+
+/// The recommended setting, its accuracy and its computing time.
+std::string recommendation(const SceneReport& report) {
+  const Findings& found = report.found;
+  const Merit &own = found.merits.front(), &best = found.merits[*found.choice.chosen];
+  const std::string own_name = full_label(report.study.plan.settings.front());
+  const std::string accuracy = accuracy_text(best, report);
+  if (best.setting == own.setting)
+    return fmt::format("Keep the scene's own setting ({}): {}, and no other setting that is as accurate{} is "
+                       "significantly faster. It takes {:.3g} s of computing per simulated second.",
+                       own_name, accuracy, found.choice.deeper ? " and lets bodies penetrate no deeper" : "", own.time);
+  const std::string name = report.quoted_label(best.setting);
+  return fmt::format(
+      "Use {0}: {1}. {0} takes {2:.3g} s of computing per simulated second, the scene's own setting ({3}) takes "
+      "{4:.3g} s. So {0} is {5} the scene's own setting.",
+      name, accuracy, best.time, own_name, own.time, speed_text(own.time / best.time));
 }
 
 void say_recommendation(const SceneReport& report, std::vector<std::string>& lines) {
   const Findings& found = report.found;
-  const Merit &own = found.merits.front(), &best = found.merits[*found.choice.chosen];
-  const std::string own_name = full_label(report.study.plan.settings.front());
-  const std::string accuracy = accuracy_text(best, found);
-  if (best.setting == own.setting)
-    lines.push_back(
-        fmt::format("Keep the scene's own setting ({}): {}, and no other setting that is as accurate{} is "
-                    "significantly faster. It takes {:.3g} s of computing per simulated second.",
-                    own_name, accuracy, found.choice.deeper ? " and lets bodies penetrate no deeper" : "", own.time));
-  else
-    lines.push_back(fmt::format(
-        "Use \"{}\": {}. It is {} the scene's own setting ({}), with {:.3g} s of computing per "
-        "simulated second instead of {:.3g} s.",
-        report.label(best.setting), accuracy, speed_text(own.time / best.time), own_name, best.time, own.time));
+  const Merit& best = found.merits[*found.choice.chosen];
+  lines.push_back(recommendation(report));
+  say_faster(report, lines);
   if (!hidden_by_chance(best, found)) return;
   const std::size_t count = best.realisations.size();
   lines.push_back(
-      fmt::format("By chance alone, the means over {} realisation{} of {:g} s differ by so much (95 %). Smaller "
-                  "errors cannot be shown.",
-                  count, count == 1 ? "" : "s", report.study.plan.end - report.study.plan.start));
+      fmt::format("By chance alone, the means over {} of {} realisation{} differ by so much (95 %). Smaller errors "
+                  "cannot be shown.",
+                  window_text(report), count, count == 1 ? "" : "s"));
 }
 
 std::string no_recommendation(const SceneReport& report) {
@@ -85,7 +106,7 @@ std::string no_recommendation(const SceneReport& report) {
         "No setting is recommended, because the effect of chance is not known: a perturbed run{} must be "
         "done first.",
         found.measure.is_load() ? " or a second realisation" : "");
-  return fmt::format("No setting is recommended: none is within {} of {}.", percent_text(k_target), scale_text(found));
+  return fmt::format("No setting is recommended: none is within {} of {}.", percent_text(k_target), scale_text(report));
 }
 
 void say_price(const SceneReport& report, std::vector<std::string>& lines) {
@@ -152,6 +173,9 @@ void say_ablation(const SceneReport& report, std::vector<std::string>& lines) {
     lines.push_back(
         fmt::format("The ice did not touch the vessel in the {:g} s that were simulated. Motions are compared.",
                     report.study.plan.end - report.study.plan.start));
+  else if (found.measure.is_load())
+    lines.push_back(fmt::format("Without any simplification the mean ice load is {} along the course, over {}.",
+                                quantity_text(found.merits.front().load.mean, "N"), window_text(report)));
   std::vector<Merit> by_error = found.merits;
   const auto shown = [](const Merit& m) { return m.significant ? m.error : 0; };
   std::stable_sort(by_error.begin(), by_error.end(),
@@ -179,52 +203,6 @@ std::string blocked(const SceneReport& report) {
   return report.ended_by.empty() ? "the budget ended before" : report.ended_by;
 }
 
-/// States the accuracy of the peaks, because ships are designed for the peaks of a load.
-void say_peaks(const Merit& m, const Findings& found, std::vector<std::string>& lines) {
-  if (!found.measure.is_load() || !(found.reference.std.mean > 0) || !(found.reference.p99.mean > 0)) return;
-  const auto change = [](const Estimate& of, const Estimate& reference) {
-    return fmt::format("{:+.2g} %", 100 * (of.mean / reference.mean - 1));
-  };
-  lines.push_back(
-      fmt::format("Peaks are not part of the recommendation. With the recommended setting the standard "
-                  "deviation of the load differs by {} from the reference's, the 99 % load by {}, and the "
-                  "largest load by {}.",
-                  change(m.load_std, found.reference.std), change(m.load_p99, found.reference.p99),
-                  change(m.load_max, found.reference.max)));
-}
-
-std::string coverage_text(const Coverage& coverage) {
-  return fmt::format("held in {} of {} run{}; in half of them it was more than {:.2g} times as large as the error.",
-                     std::lround(coverage.share * coverage.runs), coverage.runs, coverage.runs == 1 ? "" : "s",
-                     coverage.width);
-}
-
-void say_errors(const SceneReport& report, std::vector<std::string>& lines) {
-  const Findings& found = report.found;
-  const Merit* worst = nullptr;
-  for (const auto& m : found.merits)
-    if (m.significant && m.error >= found.check.moves.value_or(0) && (worst == nullptr || m.error > worst->error))
-      worst = &m;
-  if (worst != nullptr)
-    lines.push_back(fmt::format("The largest significant error is that of \"{}\": {} ({}).",
-                                report.label(worst->setting), quantity_text(worst->error, found.measure.unit),
-                                percent_text(worst->error / found.measure.scale)));
-  else if (std::isfinite(found.common_floor))
-    lines.push_back(
-        fmt::format("No setting has a significant error over {}. All errors may be chance, rounding or the "
-                    "reference's own change with its step.",
-                    such_ice(found)));
-  if (!found.measure.is_load()) return;
-  for (const auto& line : difference_lines(found, &Merit::from_reference, "the reference", report.labels()))
-    lines.push_back(line);
-  // if the own setting is as accurate as the reference, differences from it repeat the lines above
-  const PairedDifference& off = found.merits.front().from_reference;
-  const bool as_good = off.certainty != Certainty::unknown && std::abs(off.mean) <= k_target * found.measure.scale;
-  if (as_good || found.merits.front().judges) return;
-  for (const auto& line : difference_lines(found, &Merit::from_own, "the scene's own setting", report.labels()))
-    lines.push_back(line);
-}
-
 }  // namespace
 
 std::vector<std::string> answer_lines(const SceneReport& report) {
@@ -239,34 +217,6 @@ std::vector<std::string> answer_lines(const SceneReport& report) {
     say_ablation(report, lines);
   else
     say_price(report, lines);
-  return lines;
-}
-
-std::vector<std::string> detail_lines(const SceneReport& report) {
-  const Findings& found = report.found;
-  std::vector<std::string> lines;
-  if (!report.compared()) return lines;
-  if (!report.study.ablation && found.merits.front().done > 0) {
-    if (found.choice.chosen) say_peaks(found.merits[*found.choice.chosen], found, lines);
-    say_errors(report, lines);
-  }
-  if (found.horizon.ends)
-    lines.push_back(fmt::format(
-        "The motions of single bodies can be predicted until {:.3g} s of {:g} s. From then on two runs that begin "
-        "1e-12 m apart differ by more than {}.{}",
-        found.horizon.until_s, report.study.plan.end, quantity_text(found.horizon.threshold_m, "m"),
-        found.measure.is_load() && found.shared.size() > 1 ? " The effect of chance on mean loads is measured "
-                                                             "separately, from realisations whose ice differs from "
-                                                             "the start."
-                                                           : ""));
-  if (found.coverage) {
-    lines.push_back("With all runs, the estimated error of the load " + coverage_text(*found.coverage));
-    lines.push_back("The +- that each run prints by itself " + coverage_text(*found.coverage_alone));
-  }
-  for (const auto& order : found.orders)
-    lines.push_back(fmt::format(
-        "Over {} steps the error of \"{}\" {}.", order.steps, order.rest,
-        order.order > 0 ? fmt::format("falls with order {:.2f}", order.order) : "does not fall with the step"));
   return lines;
 }
 

@@ -129,7 +129,8 @@ Json run_row(const SceneReport& report, const RunRow& row) {
           {"cause", row.result.cause}};
 }
 
-std::vector<std::string> table_notes(const Findings& found) {
+std::vector<std::string> table_notes(const SceneReport& report) {
+  const Findings& found = report.found;
   std::vector<std::string> notes;
   const bool partial = std::any_of(found.merits.begin(), found.merits.end(), [](const Merit& m) { return m.partial; });
   notes.push_back(
@@ -140,10 +141,11 @@ std::vector<std::string> table_notes(const Findings& found) {
                   partial ? ", except those marked *: their means must not be compared with the others, "
                             "their differences may be"
                           : ""));
-  if (found.measure.is_load())
-    notes.emplace_back(
-        "The error is the mean of a setting's differences from the reference, run by run on the same ice. It is "
-        "significant where chance alone makes so large a difference in less than 5 % of cases.");
+  if (!found.measure.is_load()) return notes;
+  notes.push_back(fmt::format("Each mean ice load is that along the course over {}.", window_text(report)));
+  notes.emplace_back(
+      "The error is the mean of a setting's differences from the reference, run by run on the same ice. It is "
+      "significant where chance alone makes so large a difference in less than 5 % of cases.");
   return notes;
 }
 
@@ -200,7 +202,7 @@ Json view_of(const SceneReport& report) {
           {"load", found.measure.is_load()},
           {"reference", reference_view(report)},
           {"settings", settings},
-          {"table_notes", table_notes(found)},
+          {"table_notes", table_notes(report)},
           {"caveats", caveat_lines(report)},
           {"outlook", outlook_view(report)},
           {"details", details.empty() ? Json(nullptr) : Json{{"lines", details}}},

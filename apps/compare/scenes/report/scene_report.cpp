@@ -13,6 +13,10 @@ std::string SceneReport::label(std::size_t setting) const {
   return label_of(study.plan.settings[setting], study.plan.settings.front());
 }
 
+std::string SceneReport::quoted_label(std::size_t setting) const {
+  return setting == 0 ? "the scene's own setting" : '"' + label(setting) + '"';
+}
+
 std::vector<std::string> SceneReport::labels() const {
   std::vector<std::string> all;
   for (std::size_t k = 0; k < study.plan.settings.size(); ++k) all.push_back(label(k));
@@ -32,7 +36,8 @@ std::string window_text(const SceneReport& report) {
     to = found.windows[r]->to;
   }
   if (!(from < to)) return fmt::format("{:.3g} to {:.3g} s", plan.start, plan.end);
-  return fmt::format("{:.3g}{} to {:.3g} s", from, latest > from ? fmt::format(" or up to {:.3g}", latest) : "", to);
+  return fmt::format("{:.3g} to {:.3g} s{}", from, to,
+                     latest > from ? fmt::format(", or from up to {:.3g} s in other realisations", latest) : "");
 }
 
 std::string three_digits(double value) {

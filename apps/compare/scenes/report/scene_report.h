@@ -34,6 +34,8 @@ struct SceneReport {
   Outlook outlook;
 
   std::string label(std::size_t setting) const;
+  /// The label in double quotes for use in a sentence, or "the scene's own setting".
+  std::string quoted_label(std::size_t setting) const;
   std::vector<std::string> labels() const;
   /// Whether the error of any setting is known.
   bool compared() const;
@@ -41,8 +43,8 @@ struct SceneReport {
   bool untouched() const { return !found.measure.is_load() && !found.headline.empty(); }
 };
 
-/// The times over which means are taken: "2.14 to 3.7 s". Where the realisations begin at different times, the
-/// earliest and the latest begin are named.
+/// The times over which means are taken: "2.14 to 3.7 s". Where the realisations begin at different times, it adds the
+/// latest begin: "2.14 to 3.7 s, or from up to 2.5 s in other realisations".
 std::string window_text(const SceneReport& report);
 /// A number with at most three significant digits, without an exponent up to 1e6: "0.123", "1230".
 std::string three_digits(double value);

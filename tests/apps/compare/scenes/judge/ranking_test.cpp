@@ -66,12 +66,26 @@ TEST(Choice, IsTheScenesOwnWhereNothingIsSurelyFaster) {
   Findings found = findings({merit(0, 1, 0.19), merit(1, 0.95, 0.12)});
   found.choice = choose(found.merits, found.measure, found.common_floor, found.time_spread);
   EXPECT_EQ(found.choice.chosen, 0U);
+  EXPECT_EQ(found.choice.faster, 1U) << "by 5 %, where times scatter by as much";
 }
 
 TEST(Choice, IsTheMostAccurateOfThoseThatAreAsFast) {
   Findings found = findings({merit(0, 2, 0.15), merit(1, 1, 0.19), merit(2, 1.05, 0.12)});
   found.choice = choose(found.merits, found.measure, found.common_floor, found.time_spread);
   EXPECT_EQ(found.choice.chosen, 2U);
+  EXPECT_EQ(found.choice.faster, 1U);
+}
+
+TEST(Choice, NamesNoFasterOneWhereTheFastestIsChosen) {
+  Findings found = findings({merit(0, 2, 0.15), merit(1, 1, 0.12), merit(2, 0.9, 0.5)});
+  found.choice = choose(found.merits, found.measure, found.common_floor, found.time_spread);
+  EXPECT_EQ(found.choice.chosen, 1U);
+  EXPECT_FALSE(found.choice.faster) << "the other one is not as accurate";
+}
+
+TEST(Choice, CountsTimesAsAlikeWithinThreeStandardDeviationsOfTheirRatio) {
+  EXPECT_NEAR(std::log(significant_speed_ratio(0.05)), 3 * std::sqrt(0.05 * 0.05 + 0.05 * 0.05), 1e-12);
+  EXPECT_EQ(significant_speed_ratio(std::nan("")), significant_speed_ratio(0.1)) << "not measured";
 }
 
 TEST(Choice, IsNoneThatSinksIn) {
