@@ -1,5 +1,10 @@
 # Draws computing time against error. A mark is black if no other setting is faster and better, else grey. It is hollow if
-# the error may be chance, and is then at the size up to which it may be. Every point has its setting's number.
+# the error may be chance, and is then at the size up to which it may be. Every point has its setting's number. Horizontal
+# bars show how far times of one setting scatter.
+{{#bars}}
+$bars << EOD
+{{{.}}}EOD
+{{/bars}}
 {{#best}}
 $best << EOD
 {{{.}}}EOD
@@ -41,6 +46,12 @@ set ytics ({{y_tics}})
 set xlabel 'computing time per simulated second [s/s]'
 set ylabel 'error of the {{quantity}} [{{unit}}]'
 plot \
+{{#bars}}
+  $bars using 1:2:3:4 with xerrorbars pt 0 lw LW lc rgb '#999999' title 'scatter of times ({{time_scatter}})', \
+{{/bars}}
+{{^bars}}
+  keyentry with points pt 0 title 'scatter of times: not measured', \
+{{/bars}}
 {{#beaten}}
   $beaten using 1:2:3:4 with yerrorbars pt 7 ps 0.7*LW lw LW lc rgb '#aaaaaa' title 'another is faster and better, or it failed', \
 {{/beaten}}

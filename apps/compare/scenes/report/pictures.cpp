@@ -18,7 +18,8 @@ namespace nilas::compare {
 
 namespace {
 
-constexpr double k_room = 1.6;  // factor between what is shown and the end of a logarithmic axis
+constexpr double k_room = 1.6;            // factor between what is shown and the end of a logarithmic axis
+constexpr double k_out_of_sight = 1e-3;  // share that stands for 0, which a logarithmic axis cannot show
 
 /// The text in double quotes, as gnuplot reads texts in data.
 std::string quoted(const std::string& text) {
@@ -63,6 +64,10 @@ std::string quantity_of(const Measure& measure) {
 struct FrontPoint {
   const Merit* merit;
   double error, spread;
+
+  bool time_scatters() const { return merit->time_spread > 0; }  // false where the scatter was not measured
+  double shortest() const { return std::max(merit->time - merit->time_spread, k_out_of_sight * merit->time); }
+  double longest() const { return merit->time + merit->time_spread; }
 };
 
 std::vector<FrontPoint> front_points(const Findings& found) {
@@ -94,8 +99,20 @@ Json stacked_numbers(std::vector<FrontPoint> points) {
   return levels;
 }
 
+/// The bars of the times that are known to scatter, and their ends.
+std::string time_bars(const std::vector<FrontPoint>& points, Extent& time) {
+  std::string rows;
+  for (const auto& point : points) {
+    time.add(point.merit->time);
+    if (!point.time_scatters()) continue;
+    rows += fmt::format("{} {} {} {}\n", point.merit->time, point.error, point.shortest(), point.longest());
+    time.add(point.shortest());
+    time.add(point.longest());
+  }
+  return rows;
+}
+
 std::optional<Picture> front(const std::string& name, const Findings& found, const std::vector<std::string>& labels) {
-  constexpr double k_out_of_sight = 1e-3;  // stands for 0, which a logarithmic axis cannot show
   const std::vector<FrontPoint> points = front_points(found);
   if (points.empty()) return std::nullopt;
   std::map<std::string, std::string> blocks{{"best", ""},   {"beaten", ""},  {"hidden", ""},
@@ -112,13 +129,14 @@ std::optional<Picture> front(const std::string& name, const Findings& found, con
     if (m.significant)
       blocks[in_key ? "numbers" : "grey_numbers"] += fmt::format("{} {} \"{}\"\n", m.time, at, m.setting + 1);
     if (in_key) names.push_back(fmt::format("{}  {}", m.setting + 1, labels[m.setting]));
-    time.add(m.time);
     error.add(at);
     error.add(at + spread);
   }
   const double least = error.low / k_room;
   if (found.check.moves) error.high = std::max(error.high, *found.check.moves);
   Json data(blocks);
+  data["bars"] = time_bars(points, time);
+  data["time_scatter"] = percent_text(found.time_spread);
   add_log_axis("x", time, data);
   add_log_axis("y", error, data);
   data["levels"] = stacked_numbers(points);
