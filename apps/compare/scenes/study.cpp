@@ -14,6 +14,7 @@
 #include "apps/compare/scenes/run/prepare.h"
 #include "apps/compare/scenes/run/scheduler.h"
 #include "apps/compare/workshop/json_store.h"
+#include "apps/compare/workshop/special_numbers.h"
 #include "core/base/error.h"
 #include "core/output/run/claim_folder.h"
 #include "core/output/text/console.h"
@@ -73,7 +74,9 @@ std::optional<Opened> begin_study(const StudyOptions& options, const Narrator& n
     narrator.line("The comparison was interrupted before it began.");
     return std::nullopt;
   }
-  for (const auto& line : plan_lines(opened.study)) narrator.sentences(line);
+  const double used_s = output::steady_seconds() - started_s, budget_s = opened.study.budget_s;
+  for (const auto& line : plan_lines(opened.study, budget_s > 0 ? std::max(0.0, budget_s - used_s) : k_infinity))
+    narrator.sentences(line);
   return opened;
 }
 
@@ -124,6 +127,7 @@ SceneReport report_of(const Opened& opened, const SessionEnd& session, const std
                      judge_runs(study.plan, session.results, folder, judged_by(study)),
                      timing_of(study, session, output::steady_seconds() - opened.started_s),
                      session.late,
+                     session.too_long,
                      opened.trouble,
                      ended_by,
                      {}};
@@ -140,6 +144,7 @@ void leave_first_page(const Opened& opened, const std::map<std::string, RunResul
   SceneReport report{opened.study,
                      judge_runs(opened.study.plan, results, opened.store.path(), judged_by(opened.study)),
                      {opened.study.jobs, usable_cores()},
+                     {},
                      {},
                      opened.trouble,
                      "it is still running, or was killed",
@@ -178,9 +183,6 @@ int execute(Opened& opened, const StudyOptions& options, const Narrator& narrato
                        },
                        shorter_line};
   const SessionEnd session = make_runs(study, opened.store, done, opened.started_s, narrator, words, stop);
-  if (!session.late.empty())
-    narrator.line(fmt::format("{} runs are not done because the budget of {:g} s was used up.", session.late.size(),
-                              study.budget_s));
   const std::string ended_by = !session.file_error.empty() ? session.file_error : stop() ? "it was interrupted" : "";
   const SceneReport report = report_of(opened, session, ended_by);
   const std::string unwritten = tell(report, opened, options.json, narrator);

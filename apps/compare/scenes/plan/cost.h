@@ -15,7 +15,7 @@ struct CostModel {
     double other = 0;   ///< time of everything but the solver [s/s]
     double solver = 0;  ///< time of the solver [s/s]
   };
-  double setup_s = 0;  ///< time of reading, packing ice and writing [s]
+  double setup_s = 0;  ///< time of reading, packing ice and starting [s]
   std::vector<Stretch> rate;
   double window_from =
       std::numeric_limits<double>::quiet_NaN();  ///< start of the mean load's window [s]; NaN: not known

@@ -263,6 +263,7 @@ Plan plan_of(const Draft& draft) {
   plan.omissions = omissions_of(draft);
   plan.runs = runs_of(draft);
   plan.estimate_s = draft.wall_seconds() + k_closing_s;
+  plan.setup_s = draft.input->cost.setup_s;
   return plan;
 }
 

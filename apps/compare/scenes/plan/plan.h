@@ -48,6 +48,7 @@ struct Plan {
   double sample_every = 0;    ///< simulated time between stored states [s]
   int realisations = 0;
   double estimate_s = 0;  ///< estimated wall time [s]
+  double setup_s = 0;     ///< part of each run's estimate that does not grow with the simulated time [s]
   double whole_s = 0;     ///< budget that would leave nothing out [s]
   bool vary_seed = true;  ///< realisations differ in the seed, not only in the perturbed start
 

@@ -200,7 +200,9 @@ std::string blocked(const SceneReport& report) {
   const bool any = std::any_of(found.rows.begin(), found.rows.end(), [](const auto& row) { return row.result.done(); });
   if (any && found.horizon.ends && found.horizon.until_s <= report.study.plan.start)
     return "the perturbed runs diverge before the first stored states";
-  return report.ended_by.empty() ? "the budget ended before" : report.ended_by;
+  if (!report.ended_by.empty()) return report.ended_by;
+  return report.too_long.empty() ? "the budget ended before"
+                                 : "the missing runs were expected to take more than was left of the budget";
 }
 
 }  // namespace

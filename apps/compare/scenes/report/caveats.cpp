@@ -32,9 +32,19 @@ void say_coverage_limits(const SceneReport& report, std::vector<std::string>& li
         fmt::format("Only {:g} of {:g} s of the scene were simulated, because the budget has no time for "
                     "more.",
                     plan.end - plan.start, plan.scene_end - plan.start));
-  if (!report.late.empty())
+}
+
+/// The runs that the budget did not allow. Time may be left where a run was expected to take more than that.
+void say_late_runs(const SceneReport& report, std::vector<std::string>& lines) {
+  const std::size_t planned = report.study.plan.runs.size(), refused = report.too_long.size(),
+                    ended = report.late.size() - refused;
+  if (ended > 0)
+    lines.push_back(fmt::format("The budget of {:g} s was used up before {} of {} runs were done.",
+                                report.study.budget_s, ended, planned));
+  if (refused > 0)
     lines.push_back(
-        fmt::format("The budget was used up before {} of {} runs were done.", report.late.size(), plan.runs.size()));
+        fmt::format("{} of {} runs did not begin: {} expected to take more than was left of the budget.", refused,
+                    planned, refused == 1 ? "it was" : "they were"));
 }
 
 /// The share of its steps in which the reference missed its tolerance, in the worst of its runs.
@@ -92,6 +102,7 @@ std::vector<std::string> caveat_lines(const SceneReport& report) {
     lines.push_back("This comparison is not complete (" + report.ended_by +
                     "). It shows what was done until then, and --resume continues it.");
   say_coverage_limits(report, lines);
+  say_late_runs(report, lines);
   say_reference_limits(report, lines);
   if (!found.horizon.known)
     lines.emplace_back("How long motions can be predicted is not known, because no perturbed run is done.");

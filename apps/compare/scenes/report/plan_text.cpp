@@ -6,13 +6,18 @@
 
 namespace nilas::compare {
 
-std::vector<std::string> plan_lines(const SceneStudy& study) {
+std::vector<std::string> plan_lines(const SceneStudy& study, double left_s) {
   const Plan& plan = study.plan;
   std::vector<std::string> lines;
   lines.push_back(fmt::format("{} runs: {} settings x {} realisation{}, {:g} s simulated; about {} with {} job{}",
                               plan.runs.size(), plan.settings.size(), plan.realisations,
                               plan.realisations == 1 ? "" : "s", plan.end - plan.start,
                               output::duration_text(plan.estimate_s), study.jobs, study.jobs == 1 ? "" : "s"));
+  if (plan.estimate_s > left_s)
+    lines.push_back(
+        fmt::format("The estimate exceeds the {} that are left of the budget of {:g} s. Less time is then simulated, "
+                    "and a run that is expected to take more than is left does not begin.",
+                    output::duration_text(left_s), study.budget_s));
   lines.push_back((study.ablation ? "without simplifications: " : "own setting: ") + full_label(plan.settings.front()));
   std::string others;
   for (std::size_t k = 1; k < plan.settings.size(); ++k)

@@ -28,9 +28,10 @@ struct SceneReport {
   SceneStudy study;
   Findings found;
   StudyTiming timing;
-  std::vector<std::string> late;  ///< runs for which the budget had no time
-  std::string trouble;            ///< why the probe made no step; empty: it did
-  std::string ended_by;           ///< why the comparison is not complete; empty: it is
+  std::vector<std::string> late;      ///< runs for which the budget had no time
+  std::vector<std::string> too_long;  ///< those of them that were expected to take more than was left, and not begun
+  std::string trouble;                ///< why the probe made no step; empty: it did
+  std::string ended_by;               ///< why the comparison is not complete; empty: it is
   Outlook outlook;
 
   std::string label(std::size_t setting) const;

@@ -38,7 +38,8 @@ std::optional<double> needed_budget(const Plan& plan, const RunEnd& first, doubl
   const double reached = first.reached_s - plan.start;
   if (!(reached > 0)) return std::nullopt;
   const double end = std::isnan(first.window_from_s) ? plan.end : first.window_from_s + least_length(plan);
-  const double one = first.wall_s / reached * (end - plan.start);
+  const double setup = std::min(plan.setup_s, first.wall_s);
+  const double one = setup + (first.wall_s - setup) / reached * (end - plan.start);
   const double wanted = measuring_s + k_closing_s + k_reserve * one / first_share(jobs);
   return rounded_budget(wanted);
 }
@@ -49,7 +50,7 @@ Allotment::Allotment(Plan& plan, double budget_s, double stated_budget_s, int jo
       stated_budget_s_(stated_budget_s),
       jobs_(std::max(1, jobs)),
       planned_end_(plan.end),
-      pace_(first_pace) {}
+      pace_(first_pace, plan.setup_s) {}
 
 void Allotment::took(const std::map<std::string, RunResult>& results) {
   pace_.took(plan_, results);
@@ -72,15 +73,16 @@ double Allotment::share() const {
   return length > 0 ? (plan_.end - plan_.start) / length : 1;
 }
 
-double Allotment::missing_s(const std::function<bool(const PlannedRun&)>& counts) const {
-  double sum = 0, longest = 0;
+Allotment::Need Allotment::missing(const std::function<bool(const PlannedRun&)>& counts) const {
+  Need sum, longest;
   for (const auto& run : plan_.runs) {
     if (run.realisation > 0 || begun_end_.count(run.id) > 0 || !counts(run)) continue;
-    const double expected = expected_s(run);
-    sum += expected;
-    longest = std::max(longest, expected);
+    const Need one{expected_s(run), pace_.expected_setup_s(run)};
+    sum.wall_s += one.wall_s / jobs_;
+    sum.setup_s += one.setup_s / jobs_;
+    if (one.wall_s > longest.wall_s) longest = one;
   }
-  return std::max(sum / jobs_, longest);
+  return sum.wall_s > longest.wall_s ? sum : longest;
 }
 
 double Allotment::least_end() const {
@@ -113,16 +115,17 @@ void Allotment::shorten(double elapsed_s) {
   constexpr double k_reserve = 0.9, k_quarter = 0.25;
   const double room = k_reserve * std::max(0.0, left_s(elapsed_s)), least = least_end();
   if (!std::isfinite(least)) return;
-  const auto fit = [&](double wanted, double shortest, bool only_where_it_helps) {
-    if (!(wanted > room) || !(plan_.end > shortest)) return;
-    const double end = plan_.start + (plan_.end - plan_.start) * room / wanted;
+  const auto fit = [&](const Need& need, double shortest, bool only_where_it_helps) {
+    if (!(need.wall_s > room) || !(plan_.end > shortest)) return;
+    const double kept = std::max(0.0, room - need.setup_s) / (need.wall_s - need.setup_s);
+    const double end = plan_.start + (plan_.end - plan_.start) * kept;
     if (end >= shortest || !only_where_it_helps) end_at(std::max(shortest, end));
   };
   const auto all = [](const PlannedRun&) { return true; };
   const auto with_twin = [&](const PlannedRun& run) { return essential(run) || run.kind == RunKind::twin; };
-  fit(missing_s(all), std::max(least, window_from_ + k_quarter * (planned_end_ - window_from_)), false);
-  fit(missing_s(with_twin), least, true);
-  fit(missing_s([&](const PlannedRun& run) { return essential(run); }), least, false);
+  fit(missing(all), std::max(least, window_from_ + k_quarter * (planned_end_ - window_from_)), false);
+  fit(missing(with_twin), least, true);
+  fit(missing([&](const PlannedRun& run) { return essential(run); }), least, false);
 }
 
 RunStart Allotment::begin(const PlannedRun& run, double elapsed_s) {
@@ -133,7 +136,7 @@ RunStart Allotment::begin(const PlannedRun& run, double elapsed_s) {
   const double left = left_s(elapsed_s), expected = expected_s(run);
   begun_end_[run.id] = plan_.end;
   const bool first = run.kind == RunKind::grid && run.realisation == 0;
-  if (!(expected < left) && !(essential(run) && first && left > 0)) return {false, false, 0};
+  if (!(expected < left) && !(essential(run) && first && left > 0)) return {false, false, 0, expected, left};
   RunStart start{true, false, left};
   if (!essential(run)) {
     // a run that is far slower than expected must not take the time that the others need
@@ -157,7 +160,7 @@ RunVerdict Allotment::ended(const PlannedRun& run, const RunEnd& end) {
   }
   const bool beside = first && run.setting > 0;
   if (end.done) {
-    pace_.took(run, reached > 0 ? end.wall_s * whole / reached : end.wall_s);
+    pace_.took(run, end.wall_s, reached > 0 ? reached / whole : 1);
     beside_done_ = beside_done_ || beside;
     return RunVerdict::as_it_ended;
   }
@@ -167,7 +170,7 @@ RunVerdict Allotment::ended(const PlannedRun& run, const RunEnd& end) {
     return RunVerdict::far_enough;
   }
   if (essential(run) && run.realisation == 0 && worth_telling(end.reached_s)) {
-    pace_.took(run, end.wall_s * whole / reached);
+    pace_.took(run, end.wall_s, reached / whole);
     end_at(end.reached_s);
     beside_done_ = beside_done_ || beside;
     return RunVerdict::far_enough;

@@ -18,6 +18,11 @@ struct RunStart {
   bool begins = true;
   bool too_slow = false;  ///< it does not begin, because another realisation of its setting was ended as too slow
   double limit_s = 0;     ///< wall time after which it is ended [s]; 0: none
+  double expected_s = 0;  ///< expected wall time of a run that does not begin for the budget [s]
+  double left_s = 0;      ///< time that the budget has left for that run [s]
+
+  /// Whether it does not begin, although time is left, because it is expected to take more than that.
+  bool too_long() const { return !begins && !too_slow && left_s > 0; }
 };
 
 /// How a run ended.
@@ -62,13 +67,18 @@ class Allotment {
   /// The wall time that a run was expected to take when it was ended as too slow [s].
   double expected_of(const std::string& id) const { return patient_.at(id); }
   double left_s(double elapsed_s) const;
+  /// The share of the planned simulated time over which runs are made.
+  double share() const;
 
  private:
+  /// The expected wall time of some runs, and the part of it that does not grow with the simulated time [s].
+  struct Need {
+    double wall_s = 0, setup_s = 0;
+  };
   bool essential(const PlannedRun& run) const;
-  double share() const;
-  double expected_s(const PlannedRun& run) const { return share() * pace_.expected_s(run); }
-  /// The expected wall time [s] of those runs of the first realisation that have not begun and that `counts` selects.
-  double missing_s(const std::function<bool(const PlannedRun&)>& counts) const;
+  double expected_s(const PlannedRun& run) const { return pace_.expected_s(run, share()); }
+  /// The need of those runs of the first realisation that have not begun and that `counts` selects.
+  Need missing(const std::function<bool(const PlannedRun&)>& counts) const;
   /// The earliest end of the simulated time that gives a mean load [s]; infinite if it is not known.
   double least_end() const;
   bool worth_telling(double reached_s) const;

@@ -85,6 +85,8 @@ void add_reference(const Workbench& bench, const Grid& grid, const PlanWishes& w
     input.cost.reference.push_back(
         {tolerance, reference_weight(first, tight, own.step, reference.step, input.request.start)
                         .value_or(solver_weight(tried, own))});
+    // all set up the same scene, but the first process waits for files that are not in memory yet
+    if (tight.steps > 0) input.cost.setup_s = std::min(input.cost.setup_s, tight.setup_s);
     if (!tight.trouble.empty()) Narrator::warning("the reference (" + full_label(tried) + "): " + tight.trouble);
   }
 }

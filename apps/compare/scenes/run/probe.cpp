@@ -9,6 +9,11 @@ namespace nilas::compare {
 
 double Probe::total_ms() const { return std::accumulate(ms.begin(), ms.end(), 0.0); }
 
+double Probe::outside_steps_s(double process_s) const {
+  const double written_ms = std::accumulate(output_ms.begin(), output_ms.end(), 0.0);
+  return std::max(0.0, process_s - 1e-3 * (total_ms() + written_ms));
+}
+
 double Probe::solver_ms_until(double t) const {
   constexpr double k_rounding = 1e-9;
   double sum = 0;
@@ -40,9 +45,10 @@ Probe probe(const SceneRun& run, double start, double limit_s, int beside, const
   found.time_s = std::move(times.time_s);
   found.ms = std::move(times.ms);
   found.solver_ms = std::move(times.solver_ms);
+  found.output_ms = std::move(times.output_ms);
   found.steps = found.ms.size();
   found.length = found.steps > 0 ? found.time_s.back() - start : 0;
-  found.setup_s = std::max(0.0, std::max(ended.cpu_s, ended.wall_s) - 1e-3 * found.total_ms());
+  found.setup_s = found.outside_steps_s(std::max(ended.cpu_s, ended.wall_s));
   std::error_code ignored;
   for (const auto& one : runs) std::filesystem::remove_all(one.folder, ignored);
   for (std::size_t k = 1; k < runs.size(); ++k) std::filesystem::remove(runs[k].log, ignored);
@@ -61,7 +67,7 @@ CostModel cost_model(const Probe& first, double start) {
     const std::size_t end = first.steps * s / stretches;
     double other = 0, solver = 0;
     for (; done < end; ++done) {
-      other += 1e-3 * (first.ms[done] - first.solver_ms[done]);
+      other += 1e-3 * (first.ms[done] - first.solver_ms[done] + first.output_ms[done]);
       solver += 1e-3 * first.solver_ms[done];
     }
     const double t = first.time_s[end - 1];

@@ -13,12 +13,15 @@ struct Probe {
   double length = 0;      ///< simulated time [s]
   double window_from =
       std::numeric_limits<double>::quiet_NaN();  ///< start of its mean load's window [s]; NaN: no ice touched
-  double setup_s = 0;                            ///< wall time of reading, packing ice, writing and starting [s]
+  double setup_s = 0;                            ///< wall time of reading, packing ice and starting [s]
   std::vector<double> time_s, ms, solver_ms;     ///< end [s], time and solver time [ms] of each step
+  std::vector<double> output_ms;                 ///< time of writing after each step [ms]
   std::string trouble;                           ///< why it made no step, or ended by itself before its end
   int exit_code = 0;
 
   double total_ms() const;
+  /// The part of the time of its process [s] that is neither a step nor writing after one: the set-up [s].
+  double outside_steps_s(double process_s) const;
   /// The time of the solver in the steps up to a simulated time [s], in milliseconds.
   double solver_ms_until(double t) const;
 };

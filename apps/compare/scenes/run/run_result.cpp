@@ -117,13 +117,13 @@ void thin_out(const std::filesystem::path& folder) {
 StepTimes read_step_times(const std::filesystem::path& folder) {
   if (!std::filesystem::exists(folder / "steps.csv") || std::filesystem::file_size(folder / "steps.csv") == 0)
     return {};
-  std::vector<std::string> names{"time_s", "ms_solver"};
+  std::vector<std::string> names{"time_s", "ms_solver", std::string("ms_") + sim::to_string(sim::Phase::output)};
   for (int p = 0; p < sim::k_num_phases; ++p)
     if (static_cast<sim::Phase>(p) != sim::Phase::output && static_cast<sim::Phase>(p) != sim::Phase::solver)
       names.push_back(std::string("ms_") + sim::to_string(static_cast<sim::Phase>(p)));
   const auto columns = csv_columns(folder / "steps.csv", names);
-  StepTimes times{columns[0], columns[1], columns[1]};
-  for (std::size_t c = 2; c < columns.size(); ++c)
+  StepTimes times{columns[0], columns[1], columns[1], columns[2]};
+  for (std::size_t c = 3; c < columns.size(); ++c)
     for (std::size_t k = 0; k < times.ms.size(); ++k) times.ms[k] += columns[c][k];
   return times;
 }

@@ -39,9 +39,10 @@ RunResult read_run(const std::filesystem::path& folder, const std::filesystem::p
 /// summary.json, bodies.csv and ice_load.csv.
 void thin_out(const std::filesystem::path& folder);
 
-/// The end of each step and its times without output; empty if the run made no step.
+/// The end of each step and its times; empty if the run made no step.
 struct StepTimes {
-  std::vector<double> time_s, solver_ms, ms;  ///< ends [s], solver times and step times [ms], one per step
+  std::vector<double> time_s, solver_ms, ms;  ///< ends [s], solver times and step times without output [ms]
+  std::vector<double> output_ms;              ///< times of writing [ms]
 };
 StepTimes read_step_times(const std::filesystem::path& folder);
 

@@ -46,13 +46,16 @@ class Scheduler {
     run_children(tasks, study_.jobs, hooks);
     session_.pool_s = output::steady_seconds() - pool_started;
     session_.results = all_results();
-    session_.left_s = allotment_.pace().left_s(study_.plan, session_.results, study_.jobs);
-    session_.realisation_s = allotment_.pace().realisation_s(study_.plan, study_.jobs);
+    session_.left_s = left_s(session_.results);
+    session_.realisation_s = allotment_.pace().realisation_s(study_.plan, study_.jobs, allotment_.share());
     return std::move(session_);
   }
 
  private:
   double elapsed() const { return output::steady_seconds() - started_s_; }
+  double left_s(const std::map<std::string, RunResult>& results) const {
+    return allotment_.pace().left_s(study_.plan, results, study_.jobs, allotment_.share());
+  }
 
   /// The results on disk and those of this session that are not stored.
   std::map<std::string, RunResult> all_results() const {
@@ -82,10 +85,17 @@ class Scheduler {
       ++ended_;
     } else if (!start.begins) {
       session_.late.push_back(run.id);
+      if (start.too_long()) note_too_long(run, start);
     }
     task = task_of(scene_run(run));  // the plan may end earlier by now
     task.limit_s = start.limit_s;
     return start.begins;
+  }
+
+  void note_too_long(const PlannedRun& run, const RunStart& start) {
+    session_.too_long.push_back(run.id);
+    made_[run.id].cause = fmt::format("not begun, because {:.3g} s were expected and {:.3g} s of the budget were left",
+                                      start.expected_s, start.left_s);
   }
 
   void end(const PlannedRun& run, const ChildResult& ended) {
@@ -152,8 +162,7 @@ class Scheduler {
     if (room_noted_ || made_.empty()) return;
     room_noted_ = true;
     constexpr double k_least_s = 1e-3;
-    const double wanted = allotment_.pace().left_s(study_.plan, all_results(), study_.jobs),
-                 room = std::max(k_least_s, study_.budget_s - elapsed());
+    const double wanted = left_s(all_results()), room = std::max(k_least_s, study_.budget_s - elapsed());
     if (wanted > room)
       narrator_.sentences(
           fmt::format("The other realisations need about {}, but {} of the budget are left. Their runs are made in "

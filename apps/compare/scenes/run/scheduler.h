@@ -15,6 +15,7 @@ namespace nilas::compare {
 struct SessionEnd {
   std::map<std::string, RunResult> results;  ///< results of all sessions, by run
   std::vector<std::string> late;             ///< runs for which the budget had no time
+  std::vector<std::string> too_long;         ///< those of them that were expected to take more than was left
   std::string file_error;                    ///< the file error that ended the session; empty: none
   double runs_begun_s = 0;                   ///< time from the start of the budget to the first run [s]
   double busy_s = 0, pool_s = 0;             ///< sum of the runs' wall times, and wall time of the session's runs [s]

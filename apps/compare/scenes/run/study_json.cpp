@@ -115,6 +115,7 @@ Json plan_json(const Plan& plan) {
   json["runs"] = runs;
   json["omissions"] = to_json(plan.omissions);
   visit_fields_of_plan(plan, FieldWriter{json});
+  json["setup_s"] = plan.setup_s;
   json["whole_s"] = plan.whole_s;
   return json;
 }
@@ -133,6 +134,7 @@ Plan plan_from(const Json& json) {
   }
   plan.omissions = omissions_from(json.at("omissions"));
   visit_fields_of_plan(plan, FieldReader{json});
+  plan.setup_s = json.value("setup_s", 0.0);  // plans of earlier versions lack it
   plan.whole_s = json.at("whole_s").is_number() ? json.at("whole_s").get<double>()
                                                 : 0;  // without a limit it is infinite and stored as null
   return plan;

@@ -144,6 +144,8 @@ TEST(Merits, OfASettingWithoutARunHoldNoFigures) {
   EXPECT_EQ(none.trouble, "not run");
   for (const double figure : {none.error, none.penetration_max_m, none.law_map_m_s, none.energy_error, none.time})
     EXPECT_TRUE(std::isnan(figure));
+  runs.results["s1-r0"].cause = "not begun, because the budget had no room";
+  EXPECT_EQ(runs.judged().merits[1].trouble, "not begun, because the budget had no room");
 }
 
 TEST(Merits, OfAnAblationAreJudgedByTheFirstSetting) {

@@ -172,6 +172,49 @@ TEST(Allotment, TellsNothingBeforeThereIsIce) {
   EXPECT_TRUE(course.told.empty());
 }
 
+TEST(Allotment, TellsARunThatIsTooLongForWhatIsLeftFromABudgetThatIsUsedUp) {
+  Plan plan = ablation();
+  const PlannedRun last = plan.runs.back();
+  Allotment allotment(plan, 30, 30, 1, 1);
+  const RunStart refused = allotment.begin(last, 24);
+  EXPECT_FALSE(refused.begins);
+  EXPECT_TRUE(refused.too_long());
+  EXPECT_DOUBLE_EQ(refused.expected_s, 5);
+  EXPECT_DOUBLE_EQ(refused.left_s, 3) << "3 s are kept for the end";
+  const RunStart late = allotment.begin(last, 28);
+  EXPECT_FALSE(late.begins);
+  EXPECT_FALSE(late.too_long());
+  EXPECT_FALSE(allotment.begin(last, 10).too_long());
+}
+
+TEST(Allotment, ExpectsWhatRunsTookAndNotWhatWasEstimated) {
+  Plan plan = ablation(50);
+  Allotment allotment(plan, 100, 100, 1, 1);
+  const PlannedRun first = plan.runs.front(), last = plan.runs.back();
+  EXPECT_TRUE(allotment.begin(last, 60).too_long());
+  allotment.ended(first, {.wall_s = 5, .done = true, .reached_s = k_end, .window_from_s = k_ice});
+  EXPECT_TRUE(allotment.begin(last, 60).begins) << "the first took a tenth of its estimate";
+}
+
+TEST(Allotment, CutsTheTimeOfStepsAndNotOfSetUp) {
+  Plan plan = ablation();  // 4 s of set-up and 1 s of steps each
+  plan.setup_s = 4;
+  Allotment allotment(plan, 40, 40, 1, 1);
+  allotment.begin(plan.runs[0], 0);
+  allotment.ended(plan.runs[0], {.wall_s = 5, .done = true, .reached_s = k_end, .window_from_s = k_ice});
+  allotment.begin(plan.runs[1], 5);
+  // six runs have 0.9 of 32 s, of which 24 s are set-up
+  EXPECT_NEAR(plan.end, k_end * 4.8 / 6, 0.01);
+}
+
+TEST(Allotment, DoesNotMultiplyTheSetUpInTheBudgetThatWouldDo) {
+  Plan plan = ablation();
+  plan.setup_s = 4;
+  const RunEnd met{.wall_s = 5, .timed_out = true, .reached_s = 2, .window_from_s = k_ice};
+  // 4 s, and 0.5 s for each of 2.7 s; a reserve of 1.2, 80 % of the budget for the first run and 3 s for the end
+  EXPECT_DOUBLE_EQ(*needed_budget(plan, met, 0, 2), 12);
+}
+
 TEST(Allotment, SaysWhatBudgetWouldDo) {
   const Plan plan = ablation();
   for (const int jobs : {1, 2})
