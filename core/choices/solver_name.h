@@ -45,78 +45,95 @@ struct SolverFacts {
 constexpr SolverFacts facts_of(SolverName value) {
   switch (value) {
     case SolverName::pgs:
-      return {.text = {"pgs",
-              "Projected Gauss-Seidel on single rows, about 25 ns per contact and sweep; for loose packings and "
-              "comparison with game-engine based simulators, slow for stacks and heavy-on-light contact."},
- .laws = k_row_laws,
- .relative_time = 0.6};
+      return {
+          .text = {"pgs",
+                   "Projected Gauss-Seidel on single rows, about 25 ns per contact and sweep; for loose packings and "
+                   "comparison with game-engine based simulators, slow for stacks and heavy-on-light contact."},
+          .laws = k_row_laws,
+          .relative_time = 0.6};
     case SolverName::nsgs:
-      return {.text = {"nsgs",
-              "Block Gauss-Seidel with the exact solution of each contact, 1.3 to 1.7 times the cost of a sweep of "
-              "pgs; for loose fields and as a first stage, slow for stacks and heavy-on-light contact."},
- .laws = k_all_laws,
- .moments = true,
- .relative_time = 1};
+      return {
+          .text =
+              {"nsgs",
+               "Block Gauss-Seidel with the exact solution of each contact, 1.3 to 1.7 times the cost of a sweep of "
+               "pgs; for loose fields and as a first stage, slow for stacks and heavy-on-light contact."},
+          .laws = k_all_laws,
+          .moments = true,
+          .relative_time = 1};
     case SolverName::eg:
-      return {.text = {"eg",
-              "Self-adaptive extragradient, two products with W per iteration, O(contacts); for sliding fields, slow "
-              "for stacks and redundant contacts."},
- .laws = k_convex_laws,
- .relative_time = 10};
+      return {
+          .text =
+              {"eg",
+               "Self-adaptive extragradient, two products with W per iteration, O(contacts); for sliding fields, slow "
+               "for stacks and redundant contacts."},
+          .laws = k_convex_laws,
+          .relative_time = 10};
     case SolverName::eg_order_free:
-      return {.text = {"eg-order-free",
-              "eg with exact cuts of every sum: mirror images, permuted bodies and contacts and any number of threads "
-              "give the same bits, at about twice the cost of eg; for sliding fields, newton-order-free elsewhere."},
- .laws = k_convex_laws,
- .order_free = true,
- .relative_time = 20};
+      return {
+          .text =
+              {"eg-order-free",
+               "eg with exact cuts of every sum: mirror images, permuted bodies and contacts and any number of threads "
+               "give the same bits, at about twice the cost of eg; for sliding fields, newton-order-free elsewhere."},
+          .laws = k_convex_laws,
+          .order_free = true,
+          .relative_time = 20};
     case SolverName::apgd:
       return {.text = {"apgd",
-              "Accelerated projected gradient with De Saxce's outer loop, one product with W per iteration, "
-              "O(contacts); 100 to 20000 iterations; for mass ratios and fields where 1e-8 m/s is enough, may stall at "
-              "1e-5 m/s on tall stacks."},
- .laws = k_convex_laws,
- .relative_time = 5};
+                       "Accelerated projected gradient with De Saxce's outer loop, one product with W per iteration, "
+                       "O(contacts); 100 to 20000 iterations; for mass ratios and fields where 1e-8 m/s is enough, may "
+                       "stall at "
+                       "1e-5 m/s on tall stacks."},
+              .laws = k_convex_laws,
+              .relative_time = 5};
     case SolverName::enumerate:
-      return {.text = {"enumerate",
-              "Tries every combination of open, sticking and slipping of up to 8 contacts, 3^n dense systems; an "
-              "oracle to check others by."},
- .laws = k_cone_laws,
- .relative_time = 1};
+      return {
+          .text = {"enumerate",
+                   "Tries every combination of open, sticking and slipping of up to 8 contacts, 3^n dense systems; an "
+                   "oracle to check others by."},
+          .laws = k_cone_laws,
+          .relative_time = 1};
     case SolverName::admm:
-      return {.text = {"admm",
-              "Alternating directions with De Saxce's shift; few factorisations, two triangular solves per iteration, "
-              "30 to 1000 iterations; for sticking contact of any masses, stalls where slipping contacts are "
-              "redundant."},
- .laws = k_cone_laws,
- .relative_time = 8};
+      return {
+          .text =
+              {"admm",
+               "Alternating directions with De Saxce's shift; few factorisations, two triangular solves per iteration, "
+               "30 to 1000 iterations; for sticking contact of any masses, stalls where slipping contacts are "
+               "redundant."},
+          .laws = k_cone_laws,
+          .relative_time = 8};
     case SolverName::ipm:
-      return {.text = {"ipm",
-              "Interior point with a De Saxce outer loop and a Newton finish; 10 to 200 factorisations whatever the "
-              "masses; for extreme mass ratios, stacks and redundant contacts, costly for large loose fields."},
- .laws = k_cone_laws,
- .relative_time = 25};
+      return {
+          .text =
+              {"ipm",
+               "Interior point with a De Saxce outer loop and a Newton finish; 10 to 200 factorisations whatever the "
+               "masses; for extreme mass ratios, stacks and redundant contacts, costly for large loose fields."},
+          .laws = k_cone_laws,
+          .relative_time = 25};
     case SolverName::newton:
-      return {.text = {"newton",
-              "Proximal semismooth Newton, one sparse factorisation of the loaded contacts per iteration, 5 to 30 "
-              "iterations; the reference: for accuracy, stacks, jams, redundant contacts and mass ratios."},
- .laws = k_all_laws,
- .relative_time = 5};
+      return {
+          .text = {"newton",
+                   "Proximal semismooth Newton, one sparse factorisation of the loaded contacts per iteration, 5 to 30 "
+                   "iterations; the reference: for accuracy, stacks, jams, redundant contacts and mass ratios."},
+          .laws = k_all_laws,
+          .relative_time = 5};
     case SolverName::newton_order_free:
-      return {.text = {"newton-order-free",
-              "newton whose steps are solved to many more digits than are kept: mirror images, permuted bodies and "
-              "contacts and any number of threads give the same bits, at one to three times the cost of newton; the "
-              "first choice for studies of symmetry."},
- .laws = k_convex_laws,
- .order_free = true,
- .relative_time = 15};
+      return {
+          .text =
+              {"newton-order-free",
+               "newton whose steps are solved to many more digits than are kept: mirror images, permuted bodies and "
+               "contacts and any number of threads give the same bits, at one to three times the cost of newton; the "
+               "first choice for studies of symmetry."},
+          .laws = k_convex_laws,
+          .order_free = true,
+          .relative_time = 15};
     case SolverName::automatic:
-      return {.text = {"auto",
-              "Climbs from nsgs over admm and newton to ipm until the tolerance holds, island by island, and says "
-              "what it used; the default for every problem."},
- .laws = k_all_laws,
- .moments = true,
- .relative_time = 1.2};
+      return {
+          .text = {"auto",
+                   "Climbs from nsgs over admm and newton to ipm until the tolerance holds, island by island, and says "
+                   "what it used; the default for every problem."},
+          .laws = k_all_laws,
+          .moments = true,
+          .relative_time = 1.2};
   }
   return {};
 }

@@ -25,7 +25,8 @@ struct TowForce {
   double mean = 0, std = 0;                ///< [N]
   double ice = 0, water = 0, inertia = 0;  ///< [N]
   bool on_rods = false;
-  std::vector<std::pair<std::string, double>> modules;  ///< names and resistances of other load modules on the vessel [N]
+  std::vector<std::pair<std::string, double>>
+      modules;                       ///< names and resistances of other load modules on the vessel [N]
   double others = 0;                 ///< force of contacts with walls and bodies [N]
   double speed = 0;                  ///< mean speed along the course over the window [m/s]
   std::optional<double> open_water;  ///< mean force of the same tow without ice [N]

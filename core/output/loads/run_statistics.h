@@ -91,7 +91,7 @@ class RunStatistics {
   std::vector<std::vector<double>> load_series_;
   LoadResiduals load_residuals_;
   std::vector<double> tow_, water_, others_,
-      speed_;                     ///< loads and speed along the course, for a vessel on a carriage [N, m/s]
+      speed_;  ///< loads and speed along the course, for a vessel on a carriage [N, m/s]
   std::vector<std::vector<double>> module_resistance_;  ///< the same, one series per entry of RunInfo::vessel_loads [N]
   double first_ice_ = k_never;    ///< start of the first step in which ice pressed on the vessel [s]
   double first_break_ = k_never;  ///< end of the first step in which a floe broke [s]

@@ -23,7 +23,8 @@ double law_weight(const CompareSetting& setting) {
 }
 
 double weight(const CompareSetting& setting) {
-  return facts_of(choice_named<SolverName>(setting.solver)).relative_time * law_weight(setting) * tolerance_weight(setting.tolerance);
+  return facts_of(choice_named<SolverName>(setting.solver)).relative_time * law_weight(setting) *
+         tolerance_weight(setting.tolerance);
 }
 
 }  // namespace

@@ -71,9 +71,10 @@ std::string recommendation(const SceneReport& report) {
   const std::string own_name = full_label(report.study.plan.settings.front());
   const std::string accuracy = accuracy_text(best, report);
   if (best.setting == own.setting)
-    return fmt::format("Keep the scene's own setting ({}): {}, and no other setting that is as accurate{} is "
-                       "significantly faster. It takes {:.3g} s of computing per simulated second.",
-                       own_name, accuracy, found.choice.deeper ? " and lets bodies penetrate no deeper" : "", own.time);
+    return fmt::format(
+        "Keep the scene's own setting ({}): {}, and no other setting that is as accurate{} is "
+        "significantly faster. It takes {:.3g} s of computing per simulated second.",
+        own_name, accuracy, found.choice.deeper ? " and lets bodies penetrate no deeper" : "", own.time);
   const std::string name = report.quoted_label(best.setting);
   return fmt::format(
       "Use {0}: {1}. {0} takes {2:.3g} s of computing per simulated second, the scene's own setting ({3}) takes "

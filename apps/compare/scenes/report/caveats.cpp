@@ -42,9 +42,8 @@ void say_late_runs(const SceneReport& report, std::vector<std::string>& lines) {
     lines.push_back(fmt::format("The budget of {:g} s was used up before {} of {} runs were done.",
                                 report.study.budget_s, ended, planned));
   if (refused > 0)
-    lines.push_back(
-        fmt::format("{} of {} runs did not begin: {} expected to take more than was left of the budget.", refused,
-                    planned, refused == 1 ? "it was" : "they were"));
+    lines.push_back(fmt::format("{} of {} runs did not begin: {} expected to take more than was left of the budget.",
+                                refused, planned, refused == 1 ? "it was" : "they were"));
 }
 
 /// The share of its steps in which the reference missed its tolerance, in the worst of its runs.

@@ -34,10 +34,10 @@ void say_peaks(const SceneReport& report, std::vector<std::string>& lines) {
 
 /// How often the estimated error of a run's load, which `what` names, was as large as the error that was measured.
 std::string coverage_text(const std::string& what, const Coverage& coverage) {
-  return fmt::format("{} was at least as large as the measured error in {} of {} run{}. In half of them it was more "
-                     "than {:.2g} times the measured error.",
-                     what, std::lround(coverage.share * coverage.runs), coverage.runs, coverage.runs == 1 ? "" : "s",
-                     coverage.width);
+  return fmt::format(
+      "{} was at least as large as the measured error in {} of {} run{}. In half of them it was more "
+      "than {:.2g} times the measured error.",
+      what, std::lround(coverage.share * coverage.runs), coverage.runs, coverage.runs == 1 ? "" : "s", coverage.width);
 }
 
 /// The setting with the largest significant error that the reference can show; null if there is none.
@@ -52,11 +52,11 @@ const Merit* worst_of(const Findings& found) {
 void say_errors(const SceneReport& report, std::vector<std::string>& lines) {
   const Findings& found = report.found;
   if (const Merit* worst = worst_of(found))
-    lines.push_back(fmt::format(
-        "The largest significant error{} is that of {}: {} ({}).",
-        found.measure.is_load() ? fmt::format(" of the mean ice load over {}", window_text(report)) : "",
-        report.quoted_label(worst->setting), quantity_text(worst->error, found.measure.unit),
-        percent_text(worst->error / found.measure.scale)));
+    lines.push_back(
+        fmt::format("The largest significant error{} is that of {}: {} ({}).",
+                    found.measure.is_load() ? fmt::format(" of the mean ice load over {}", window_text(report)) : "",
+                    report.quoted_label(worst->setting), quantity_text(worst->error, found.measure.unit),
+                    percent_text(worst->error / found.measure.scale)));
   else if (std::isfinite(found.common_floor))
     lines.push_back(
         fmt::format("No setting has a significant error over {}. All errors may be chance, rounding or the "
@@ -93,8 +93,7 @@ std::vector<std::string> detail_lines(const SceneReport& report) {
                                                              "the start."
                                                            : ""));
   if (found.coverage) {
-    lines.push_back(
-        coverage_text("The error of a run's mean load that is estimated from all runs", *found.coverage));
+    lines.push_back(coverage_text("The error of a run's mean load that is estimated from all runs", *found.coverage));
     lines.push_back(coverage_text("The +- that a run prints by itself", *found.coverage_alone));
   }
   for (const auto& order : found.orders)

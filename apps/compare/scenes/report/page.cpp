@@ -44,7 +44,8 @@ const char* caption_of(const std::string& picture) {
     return "Cost and error of each setting: fast ones stand on the left, accurate ones at the bottom. Numbers are "
            "those of "
            "the table. Vertical bars are standard errors over the realisations. Horizontal bars are the scatter of "
-           "computing times among runs of one setting (standard deviation), where it was measured. Hollow triangles mark settings whose error may "
+           "computing times among runs of one setting (standard deviation), where it was measured. Hollow triangles "
+           "mark settings whose error may "
            "be "
            "chance: their true error may lie anywhere below the mark.";
   if (picture == "motion")

@@ -18,7 +18,7 @@ namespace nilas::compare {
 
 namespace {
 
-constexpr double k_room = 1.6;            // factor between what is shown and the end of a logarithmic axis
+constexpr double k_room = 1.6;           // factor between what is shown and the end of a logarithmic axis
 constexpr double k_out_of_sight = 1e-3;  // share that stands for 0, which a logarithmic axis cannot show
 
 /// The text in double quotes, as gnuplot reads texts in data.

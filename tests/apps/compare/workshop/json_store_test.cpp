@@ -3,13 +3,12 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace json_store_test {
 
 using namespace nilas::compare;
 
 TEST(JsonStore, IndentsByTwoBlanksAsOtherCommands) {
-  EXPECT_EQ(json_text({{"a", 1}, {"b", {{"c", 2}}}}),
-            "{\n  \"a\": 1,\n  \"b\": {\n    \"c\": 2\n  }\n}\n");
+  EXPECT_EQ(json_text({{"a", 1}, {"b", {{"c", 2}}}}), "{\n  \"a\": 1,\n  \"b\": {\n    \"c\": 2\n  }\n}\n");
 }
 
-}  // namespace
+}  // namespace json_store_test

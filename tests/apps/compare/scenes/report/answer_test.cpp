@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace {
+namespace answer_test {
 
 using namespace nilas;
 using namespace nilas::compare;
@@ -110,4 +110,4 @@ TEST(Answer, SaysHowOftenEstimatedErrorsHeld) {
                    "measured error in 24 of 28 runs. In half of them it was more than 3.4 times the measured error."));
 }
 
-}  // namespace
+}  // namespace answer_test

@@ -5,7 +5,7 @@
 
 #include "apps/compare/scenes/report/answer.h"
 
-namespace {
+namespace caveats_test {
 
 using namespace nilas::compare;
 
@@ -25,8 +25,7 @@ bool says(const std::vector<std::string>& lines, const std::string& sentence) {
 
 TEST(Caveats, TellRunsThatWereTooLongFromABudgetThatWasUsedUp) {
   const std::string used_up = "The budget of 100 s was used up before 1 of 4 runs were done.",
-                    refused =
-                        "2 of 4 runs did not begin: they were expected to take more than was left of the budget.";
+                    refused = "2 of 4 runs did not begin: they were expected to take more than was left of the budget.";
   const auto both = caveats_of({"a", "b", "c"}, {"b", "c"});
   EXPECT_TRUE(says(both, used_up));
   EXPECT_TRUE(says(both, refused));
@@ -34,4 +33,4 @@ TEST(Caveats, TellRunsThatWereTooLongFromABudgetThatWasUsedUp) {
   EXPECT_FALSE(says(caveats_of({"a"}, {}), refused));
 }
 
-}  // namespace
+}  // namespace caveats_test

@@ -5,7 +5,7 @@
 
 #include <limits>
 
-namespace {
+namespace pictures_test {
 
 using namespace nilas;
 using namespace nilas::compare;
@@ -59,4 +59,4 @@ TEST(Pictures, EndBarsAboveZeroBecauseTheAxisIsLogarithmic) {
   EXPECT_EQ(front.data.at("bars"), "1 0.5 0.001 3\n2 0.5 0.002 6\n");
 }
 
-}  // namespace
+}  // namespace pictures_test

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace {
+namespace plan_text_test {
 
 using namespace nilas::compare;
 
@@ -32,4 +32,4 @@ TEST(PlanText, SaysWhereTheEstimateExceedsTheBudget) {
   EXPECT_EQ(says(study_of(90), std::numeric_limits<double>::infinity()), 0) << "no budget";
 }
 
-}  // namespace
+}  // namespace plan_text_test

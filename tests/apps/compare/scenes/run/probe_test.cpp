@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace probe_test {
 
 using namespace nilas::compare;
 
@@ -31,4 +31,4 @@ TEST(Probe, CountsWritingAfterAStepAsThatStepAndNotAsSetUp) {
   EXPECT_NEAR(cost.steps_seconds(10), 2.2, 1e-12);
 }
 
-}  // namespace
+}  // namespace probe_test
