@@ -201,7 +201,8 @@ std::vector<std::vector<int>> unsolved(const contact::PreparedProblem& prepared,
 }
 
 /// Climbs for an island whose W is too large to be formed or factorised: more sweeps, then the projected gradient where
-/// it knows the law, each with half of the iterations. The better impulses go into `whole.r`, iterations into `whole`.
+/// it knows the law, the first with half of the iterations and the second with the rest. The better impulses go into
+/// `whole.r`, iterations into `whole`.
 contact::SolveStatus solve_without_w(const contact::ContactProblem& problem, const std::vector<int>& island,
                                      const AutoSettings& settings, const Budget& budget, Log& log,
                                      contact::ContactSolution& whole) {

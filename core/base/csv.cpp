@@ -33,9 +33,7 @@ class CsvReader {
   CsvReader(const std::string& file, const std::vector<std::string>& columns) : file_(file), columns_(columns) {}
 
   CsvTable read() {
-    std::error_code ignored;
-    if (std::filesystem::status(file_, ignored).type() == std::filesystem::file_type::not_found)
-      throw nothing_there(file_, "file");
+    demand_there(file_, "file");
     std::ifstream in(file_);
     if (!in) throw FileError(file_ + ": cannot be opened");
     CsvTable table;

@@ -28,9 +28,14 @@ FileError nothing_there(const fs::path& path, const std::string& kind) {
   return FileError(path.string() + ": there is no such " + kind + (near.empty() ? "" : "; nearest: " + near));
 }
 
-std::string file_bytes(const fs::path& file) {
+void demand_there(const fs::path& path, const std::string& kind) {
   std::error_code ignored;
-  if (fs::status(file, ignored).type() == fs::file_type::not_found) throw nothing_there(file, "file");
+  if (fs::status(path, ignored).type() == fs::file_type::not_found) throw nothing_there(path, kind);
+}
+
+std::string file_bytes(const fs::path& file) {
+  demand_there(file, "file");
+  std::error_code ignored;
   std::ifstream in(file, std::ios::binary);
   if (!in || fs::is_directory(file, ignored)) throw FileError(file.string() + ": cannot be opened");
   // in blocks: what pipes and /proc hold is not known beforehand
@@ -48,9 +53,9 @@ std::string file_bytes(const fs::path& file) {
 }
 
 bool is_folder(const fs::path& path) {
+  demand_there(path, "file or folder");
   std::error_code error;
   const fs::file_status found = fs::status(path, error);
-  if (found.type() == fs::file_type::not_found) throw nothing_there(path, "file or folder");
   if (error) throw FileError(path.string() + ": cannot be opened: " + error.message());
   return fs::is_directory(found);
 }

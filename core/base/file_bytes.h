@@ -11,6 +11,9 @@ namespace nilas {
 /// entry of that folder with the most similar name, if any is similar.
 FileError nothing_there(const std::filesystem::path& path, const std::string& kind);
 
+/// Throws nothing_there() where nothing is at the path.
+void demand_there(const std::filesystem::path& path, const std::string& kind);
+
 /// All bytes of a file. Throws FileError: cannot be opened (a folder cannot), read, or held in memory.
 std::string file_bytes(const std::filesystem::path& file);
 

@@ -35,8 +35,7 @@ struct Hdf5Reader::Dataset {
 static std::vector<char> read_whole(const std::string& path) {
   std::error_code fault;
   if (std::filesystem::is_directory(path, fault)) throw FileError(path + ": is a folder, not a file");
-  if (std::filesystem::status(path, fault).type() == std::filesystem::file_type::not_found)
-    throw nothing_there(path, "file");
+  demand_there(path, "file");
   std::ifstream in(path, std::ios::binary | std::ios::ate);
   if (!in) throw FileError(path + ": cannot be opened");
   const auto end = static_cast<std::streamoff>(in.tellg());

@@ -8,7 +8,7 @@ import re
 import sys
 
 ROOT = pathlib.Path(__file__).parents[2]
-# Vectors, errors and choices of a scene are in every room's mouth: they need no name of a room.
+# Every room uses vectors, errors and choices, so their namespace has no name of a room.
 ROOMS = {
     "core/base": "nilas",
     "core/choices": "nilas",

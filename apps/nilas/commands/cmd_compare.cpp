@@ -72,7 +72,8 @@ CLI::Option* add_grid_flags(CLI::App& command, compare::GridRequest& grid) {
   add_list(command, "--dt", grid.steps, "Compares these time steps [s], above 0 and separated by commas.")
       ->check(above(0));
   add_list(command, "--tolerance", grid.tolerances,
-           "Compares these tolerances of the solver [m/s], separated by commas. 0 always makes the most iterations.")
+           "Compares these tolerances of the solver [m/s], separated by commas. With 0 a solver stops only when "
+           "the residual is 0, when it stalls, or when the iterations are spent.")
       ->check(at_least(0));
   add_list(command, "--integrators", grid.integrators,
            "Compares these integrators: semi-implicit-euler, moreau or reference.");

@@ -17,8 +17,6 @@ namespace nilas::commands {
 
 namespace {
 
-namespace fs = std::filesystem;
-
 struct ReportOptions {
   std::string run, out, body;
   std::vector<double> contacts;
@@ -27,8 +25,7 @@ struct ReportOptions {
 
 int draw_report(const ReportOptions& options) {
   const std::filesystem::path run = options.run, out = options.out.empty() ? run : std::filesystem::path(options.out);
-  if (std::error_code ignored; fs::status(run, ignored).type() == fs::file_type::not_found)
-    throw nothing_there(run, "run folder");
+  demand_there(run, "run folder");
   const scene::Scene scene = scene::read_scene(run / "scene.xml");
   WarningCounts warnings(make_logger("off", ""));
   output::PhaseProgress progress(std::cerr, output::phase_style(false, false),

@@ -247,7 +247,11 @@ class Run {
 
   /// A sentence on how an interrupted run is continued.
   std::string how_to_continue() const {
-    if (steps_saved_ >= 0) return "`nilas run --resume " + folder_.path().string() + "` continues the run.";
+    if (steps_saved_ >= 0) {
+      std::string folder = folder_.path().string();
+      if (folder.find(' ') != std::string::npos) folder = "'" + folder + "'";
+      return "`nilas run --resume " + folder + "` continues the run" + (twins_ ? ", without its perturbed runs." : ".");
+    }
     return "The run cannot be resumed, since it wrote no checkpoints; --checkpoint-every SECONDS writes them.";
   }
 

@@ -8,6 +8,7 @@
 
 #include "apps/nilas/commands/scene_flags.h"
 #include "core/base/error.h"
+#include "core/base/file_bytes.h"
 #include "core/base/log.h"
 #include "core/sim/simulation.h"
 
@@ -44,6 +45,7 @@ OpenWater OpenWater::towed(const scene::Scene& scene, int threads) {
 
 OpenWater OpenWater::stored(const std::filesystem::path& run) {
   const auto file = run / "summary.json";
+  demand_there(run, "run folder");
   std::ifstream in(file);
   if (!in) throw FileError("--open-water-run: cannot open " + file.string());
   const auto summary = nlohmann::json::parse(in, nullptr, false);

@@ -30,8 +30,8 @@ static long steps_of(const State& checkpoint) {
 }
 
 StoppedRun find_stopped_run(const fs::path& folder, const SceneFlags& flags) {
+  demand_there(folder, "run folder");
   std::error_code error;
-  if (fs::status(folder, error).type() == fs::file_type::not_found) throw nothing_there(folder, "run folder");
   if (!fs::is_directory(folder, error)) throw FileError(folder.string() + ": it is no run folder");
   const fs::path scene_file = output::RunFolder::scene_file(folder),
                  checkpoint_file = output::RunFolder::checkpoint_file(folder);

@@ -10,6 +10,7 @@
 #include <memory>
 #include <set>
 
+#include "core/base/file_bytes.h"
 #include "core/scene/schema/attribute_values.h"
 #include "core/scene/schema/schema.h"
 
@@ -91,7 +92,8 @@ struct FileProblem {
 /// Checks whether a file exists and can be opened.
 static FileProblem readable(const fs::path& path) {
   std::error_code ignored;
-  if (!fs::is_regular_file(path, ignored)) return {"file not found: " + path.string(), true};
+  if (fs::status(path, ignored).type() == fs::file_type::not_found) return {nothing_there(path, "file").what(), true};
+  if (!fs::is_regular_file(path, ignored)) return {path.string() + ": is no file", true};
   if (!std::ifstream(path)) return {"file cannot be opened: " + path.string(), true};
   return {};
 }

@@ -13,10 +13,8 @@ const std::vector<IcePreset>& ice_presets() {
   const LognormalSizeScene size;
   static const std::vector<IcePreset> presets{
       // These values lie in the middle of the ranges at which model basins aim: flexural strength 20 to 60 kPa, modulus
-      // 10
-      // to 150 MPa, toughness 1 to 5 kPa sqrt(m), compressive over flexural strength 1 to 4. They are also the defaults
-      // of
-      // a scene.
+      // 10 to 150 MPa, toughness 1 to 5 kPa sqrt(m), compressive over flexural strength 1 to 4. They are also the
+      // defaults of a scene.
       {.name = "model",
        .density = ice.density,
        .youngs_modulus = ice.youngs_modulus,
@@ -32,8 +30,7 @@ const std::vector<IcePreset>& ice_presets() {
        .floe_max = size.max,
        .min_area = fracture.min_area},
       // First-year sea ice, from the sources of docs/reference/scales.md. Measured forces support the exponent -0.7
-      // that a
-      // scene gives the pressure on an area of up to 10 m^2. The pressure on 1 m^2 is a value of this program.
+      // that a scene gives the pressure on an area of up to 10 m^2. The pressure on 1 m^2 is a value of this program.
       {.name = "full-scale sea ice",
        .density = 920,
        .youngs_modulus = 5e9,

@@ -22,8 +22,8 @@ static std::vector<AttributeSpec> law_and_solver() {
        .range = at_least(0),
        .default_note = written(values.tolerance) +
                        ". With moving ice it is the power of ten below a thousandth of the largest speed in the scene.",
-       .doc = "The solver stops when the residual of the law (law_map_m_s) falls to this value. With 0 it always does "
-              "max_iterations sweeps."},
+       .doc = "The solver stops when the residual of the law (law_map_m_s) falls to this value. With 0 it stops "
+              "only when the residual is 0, when it stalls, or after max_iterations."},
       {.name = "max_iterations",
        .type = ValueType::integer,
        .range = within(1, 1e9),

@@ -44,8 +44,10 @@ static void build_modules(const ModuleSources& from, const ModuleList& modules, 
     if (!module.exerts_loads()) continue;
     parts.forces.push_back(&module);
     if (!module.conservative()) parts.info.work_names.push_back(module.name());
-    if (parts.vessel && module.load_on_vessel() == bodies::VesselLoad::own)
-      parts.info.vessel_loads.push_back(module.name());
+    if (!parts.vessel) continue;
+    const bodies::VesselLoad kind = module.load_on_vessel();
+    if (kind == bodies::VesselLoad::own) parts.info.vessel_loads.push_back(module.name());
+    if (kind == bodies::VesselLoad::water) parts.info.has_hydro = true;
   }
 }
 

@@ -117,7 +117,8 @@ sim::ModuleList with_tug() {
 }
 
 /// The pull is a load of its own in vessel.csv, with time steps and between events. It is no load of the water: within
-/// a step the hull's fore end reaches 2e-3 m/s, where the drag on about 1 m^2 stays below 0.01 N.
+/// a step the hull's fore end reaches 2e-3 m/s, where the drag on about 1 m^2 stays below 0.01 N. The
+/// other tolerance is the rounding of the integrator's mean over a step.
 TEST(OwnModuleOnAVessel, HasColumnsBesideThoseOfTheWater) {
   for (const std::string integrator : {"semi-implicit-euler", "moreau", "reference"}) {
     const test::SceneRig rig(test::steps_of(0.01) + test::k_no_weight + "<contact integrator='" + integrator + "'/>" +

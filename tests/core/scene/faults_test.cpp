@@ -31,7 +31,7 @@ TEST(Faults, FiveDifferentFaultsAreFiveMessagesWithPlaces) {
   EXPECT_EQ(faults[2].column, 25);
   EXPECT_NE(faults[2].message.find("nearest: tolerance"), std::string::npos) << faults[2].message;
   EXPECT_EQ(faults[3].text(),
-            file + ":4:11: <vessel hull>: file not found: " + (folder.path() / "missing/hull").string());
+            file + ":4:11: <vessel hull>: " + (folder.path() / "missing/hull").string() + ": there is no such file");
   EXPECT_EQ(faults[4].line, 5);
   EXPECT_EQ(faults[4].column, 3);
   EXPECT_NE(faults[4].message.find("nearest: body"), std::string::npos) << faults[4].message;

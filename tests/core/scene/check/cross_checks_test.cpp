@@ -128,7 +128,8 @@ TEST(CrossChecks, FilesMustExist) {
   folder.write("hull.obj", "");
   const auto expect_missing = [&](const std::string& content, const std::string& where, const std::string& path) {
     SCOPED_TRACE(content);
-    expect_fault(folder.faults(in_scene(content)), 2, where, {"file not found: " + (folder.path() / path).string()});
+    expect_fault(folder.faults(in_scene(content)), 2, where,
+                 {(folder.path() / path).string() + ": there is no such file"});
   };
   const auto vessel = [](const std::string& hull, const std::string& content) {
     return "<vessel " + hull + "><mass value='1'/>" + content + "</vessel>";
