@@ -109,6 +109,7 @@ TEST(HullCommand, ABarge) {
   EXPECT_NEAR(report["displaced_m3"], 1, 1e-9);
   EXPECT_NEAR(report["kb_m"], 0.125, 1e-9);
   EXPECT_NEAR(report["bm_m"], 1.0 / 12 / 0.25, 1e-9);
+  EXPECT_NEAR(report["kg_m"], 0.25, 1e-9) << "half the depth";
   EXPECT_NEAR(report["gm_m"], 0.125 + 1.0 / 3 - 0.25, 1e-9);
   EXPECT_NEAR(report["wetted_area_m2"], 4 + 2 * (4 + 1) * 0.25, 1e-9);
   EXPECT_NEAR(report["waterplane_area_m2"], 4, 1e-9);

@@ -60,13 +60,14 @@ void add_hydrostatics(Json& report, const geometry::TriangleMesh& mesh, double d
   const double keel = geometry::box_of(mesh).min().z(), level = waterline_level(mesh, draught);
   const hydro::Submerged wet = hydro::submerged_mesh(mesh, Mat3::Identity(), Vec3::Zero(), level);
   const hydro::Waterplane plane = hydro::waterplane(mesh, Mat3::Identity(), Vec3::Zero(), level);
-  const double kb = wet.centre.z() - keel, bm = plane.yy / wet.volume;
+  const double kb = wet.centre.z() - keel, bm = plane.yy / wet.volume, kg = centre_z - keel;
   report["draught_m"] = draught;
   report["displaced_m3"] = wet.volume;
   report["block_coefficient"] = block_coefficient(mesh, wet.volume, level);
   report["kb_m"] = kb;
   report["bm_m"] = bm;
-  report["gm_m"] = kb + bm - (centre_z - keel);
+  report["kg_m"] = kg;
+  report["gm_m"] = kb + bm - kg;
   report["wetted_area_m2"] = wetted_area(mesh, level);
   report["waterplane_area_m2"] = plane.area;
 }
