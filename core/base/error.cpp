@@ -30,19 +30,20 @@ void contract_failed(const char* expression, const char* file, int line) {
   throw ContractError(std::string(file) + ":" + std::to_string(line) + ": broken contract: " + expression);
 }
 
+/// Edits that change `a` into `b`: a letter more, less or other, or two neighbours that change places.
 static std::size_t edit_distance(const std::string& a, const std::string& b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  std::vector<std::size_t> before, last(b.size() + 1), row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) last[j] = j;
   for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
     row[0] = i;
     for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t above = row[j];
-      row[j] = std::min({row[j] + 1, row[j - 1] + 1, diagonal + (a[i - 1] == b[j - 1] ? 0 : 1)});
-      diagonal = above;
+      row[j] = std::min({last[j] + 1, row[j - 1] + 1, last[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1)});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) row[j] = std::min(row[j], before[j - 2] + 1);
     }
+    before = last;
+    last = row;
   }
-  return row[b.size()];
+  return last[b.size()];
 }
 
 /// American words that are further from the English ones than a slip of the keys.
@@ -51,7 +52,8 @@ static std::string in_english(const std::string& word) { return word == "draft" 
 std::string nearest_name(const std::string& written, const std::vector<std::string>& candidates) {
   const std::string word = in_english(written);
   std::string best;
-  std::size_t best_distance = std::max<std::size_t>(2, word.size() / 2) + 1;
+  // one edit in each three letters; of a word of one or two letters, more would leave nothing
+  std::size_t best_distance = (word.size() + 1) / 3 + 1;
   for (const auto& c : candidates) {
     const std::size_t d = edit_distance(word, c);
     if (d < best_distance) {

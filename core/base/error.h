@@ -63,7 +63,7 @@ class ContractError : public std::logic_error {
 
 [[noreturn]] void contract_failed(const char* expression, const char* file, int line);
 
-/// Nearest of `candidates` to `word` by edit distance, or "" when none is close.
+/// Nearest of `candidates` to `word` by edit distance, or "" when none is close: at most one edit in three letters.
 std::string nearest_name(const std::string& word, const std::vector<std::string>& candidates);
 
 }  // namespace nilas

@@ -33,6 +33,16 @@ TEST(NearestName, FindsSlipsOfTheFinger) {
   EXPECT_EQ(nearest_name("desnity", names), "density");
   EXPECT_EQ(nearest_name("mas", names), "mass");
   EXPECT_EQ(nearest_name("mass", names), "mass");
+  EXPECT_EQ(nearest_name("bouyancy", {"drag", "buoyancy"}), "buoyancy");
+  EXPECT_EQ(nearest_name("rnu", {"run"}), "run") << "letters that change places are one slip";
+}
+
+/// In "r1" and "ci" no letter is the same, and in "tank" and "mass" one of four is.
+TEST(NearestName, OfShortNamesMostLettersMustAgree) {
+  EXPECT_EQ(nearest_name("r1", {"ci", "runs"}), "");
+  EXPECT_EQ(nearest_name("r1", {"ci", "r2"}), "r2");
+  EXPECT_EQ(nearest_name("x", {"y", "xy"}), "");
+  EXPECT_EQ(nearest_name("tank", {"mass"}), "");
 }
 
 TEST(NearestName, KnowsAmericanSpelling) {
