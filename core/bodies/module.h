@@ -1,6 +1,7 @@
 #pragma once
 /// One physical model of a scene, as the time step calls it. A module implements the phases that it needs; all others
 /// do nothing. core/sim/build/module_list.h lists the modules that a scene can name.
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -41,6 +42,14 @@ struct SubstepLength {
 /// How the outputs show the loads of a module on the vessel: not at all, since it never acts on one; within hydro_*, as
 /// loads of the water; or in columns of its own, <name>_f* and <name>_m*.
 enum class VesselLoad { none, water, own };
+
+/// The names of the sums over a run that outputs ask for, whichever modules a scene has.
+inline constexpr std::string_view k_crushed_mass = "crushed_mass";    ///< ice that vessel and bodies crushed [kg]
+inline constexpr std::string_view k_brash_mass = "brash_mass";        ///< pieces too small to be bodies [kg]
+inline constexpr std::string_view k_extruded_mass = "extruded_mass";  ///< crushed ice cut out of its floes [kg]
+inline constexpr std::array k_run_sums{k_crushed_mass, k_brash_mass, k_extruded_mass};
+/// The name of the value of one body that outputs ask for: the largest damage at any place of a floe [-].
+inline constexpr std::string_view k_damage = "damage";
 
 class Module {
  public:
@@ -104,10 +113,10 @@ class Module {
   virtual std::vector<std::string> columns() const { return {}; }
   /// Appends as many values, of the step that ended.
   virtual void append_values(std::vector<double>& /*values*/) const {}
-  /// A sum over the run by its name, 0 where the module knows none; see core/sim/simulation.h.
-  virtual double total(std::string_view /*name*/) const { return 0; }
-  /// The same of one body, by its id.
-  virtual double of_body(std::string_view /*name*/, std::int64_t /*id*/) const { return 0; }
+  /// A sum over the run by its name: one of k_run_sums, or of the module's own. Empty where the module has no such sum.
+  virtual std::optional<double> total(std::string_view /*name*/) const { return std::nullopt; }
+  /// A value of one body, by its id: k_damage, or one of the module's own. Empty where the module has no such value.
+  virtual std::optional<double> of_body(std::string_view /*name*/, std::int64_t /*id*/) const { return std::nullopt; }
 
   // Checkpoints, between two steps. What follows from scene and poses is not in them.
 

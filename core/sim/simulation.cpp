@@ -1,5 +1,10 @@
 #include "core/sim/simulation.h"
 
+#include <algorithm>
+#include <optional>
+
+#include "core/base/error.h"
+#include "core/bodies/module.h"
 #include "core/sim/build/build_world.h"
 #include "core/sim/reference/reference_step.h"
 #include "core/sim/step/step_book.h"
@@ -37,13 +42,25 @@ const std::vector<contact::SolvedProblem>& Simulation::solved_substeps() const {
 int Simulation::vessel_index() const { return world_->parts.vessel_index; }
 long Simulation::steps() const { return world_->steps; }
 double Simulation::total(std::string_view name) const {
+  bool known = std::find(bodies::k_run_sums.begin(), bodies::k_run_sums.end(), name) != bodies::k_run_sums.end();
   double sum = 0;
-  for (const auto& module : world_->parts.modules) sum += module->total(name);
+  for (const auto& module : world_->parts.modules)
+    if (const std::optional<double> own = module->total(name)) {
+      sum += *own;
+      known = true;
+    }
+  NILAS_DEMAND(known);
   return sum;
 }
 double Simulation::of_body(std::string_view name, std::int64_t id) const {
+  bool known = name == bodies::k_damage;
   double sum = 0;
-  for (const auto& module : world_->parts.modules) sum += module->of_body(name, id);
+  for (const auto& module : world_->parts.modules)
+    if (const std::optional<double> own = module->of_body(name, id)) {
+      sum += *own;
+      known = true;
+    }
+  NILAS_DEMAND(known);
   return sum;
 }
 void Simulation::save(StateWriter out) const { world_->save(out); }

@@ -46,13 +46,10 @@ class Simulation {
   const std::vector<contact::SolvedProblem>& solved_substeps() const;
   int vessel_index() const;  ///< index in bodies(), -1 without a vessel
   long steps() const;        ///< number of steps since the start
-  /// A sum since the start over the modules that know this name; 0 where none does:
-  ///   "crushed_mass"   ice that the vessel and bodies crushed [kg]
-  ///   "brash_mass"     pieces too small to be bodies [kg]
-  ///   "extruded_mass"  crushed ice that was cut out of its floes [kg]
+  /// A sum since the start over the modules that know this name. It is 0 where none does, if the name is one of
+  /// bodies::k_run_sums. Throws ContractError for any other name.
   double total(std::string_view name) const;
-  /// The same for one body, by its id:
-  ///   "damage"         the largest damage at any place of a floe [-]
+  /// The same for one body, by its id; the name that may be unknown to all modules is bodies::k_damage.
   double of_body(std::string_view name, std::int64_t id) const;
 
   /// Saves everything that the next steps depend on and that does not follow from the scene alone. Call between steps.

@@ -40,7 +40,10 @@ class CrushingModule : public bodies::Module {
   }
   std::vector<std::string> columns() const override { return {"crushed_overlap_max_m"}; }
   void append_values(std::vector<double>& values) const override { values.push_back(deepest_); }
-  double total(std::string_view name) const override { return name == "crushed_mass" ? crushing_.crushed_mass() : 0; }
+  std::optional<double> total(std::string_view name) const override {
+    if (name == bodies::k_crushed_mass) return crushing_.crushed_mass();
+    return std::nullopt;
+  }
   void save(const bodies::Bodies& /*bodies*/, StateWriter out) const override { crushing_.save(out); }
   void restore(const StateReader& in) override { crushing_.restore(in); }
 
@@ -68,8 +71,9 @@ class BreakingModule : public bodies::Module {
   void follow(const bodies::Bodies& bodies, const std::vector<NewPiece>& pieces) override {
     breaking_.follow(bodies, pieces);
   }
-  double of_body(std::string_view name, std::int64_t id) const override {
-    return name == "damage" ? breaking_.damage(id) : 0;
+  std::optional<double> of_body(std::string_view name, std::int64_t id) const override {
+    if (name == bodies::k_damage) return breaking_.damage(id);
+    return std::nullopt;
   }
   void save(const bodies::Bodies& /*bodies*/, StateWriter out) const override { breaking_.save(out); }
   void restore(const StateReader& in) override { breaking_.restore(in); }
@@ -103,9 +107,10 @@ class PiecesModule : public bodies::Module {
     end.failures.clear();
     if (!end.broken.empty()) broken_contacts_.note(end.last, end.broken);
   }
-  double total(std::string_view name) const override {
-    if (name == "brash_mass") return pieces_.brash_mass();
-    return name == "extruded_mass" ? pieces_.extruded_mass() : 0;
+  std::optional<double> total(std::string_view name) const override {
+    if (name == bodies::k_brash_mass) return pieces_.brash_mass();
+    if (name == bodies::k_extruded_mass) return pieces_.extruded_mass();
+    return std::nullopt;
   }
   void save(const bodies::Bodies& bodies, StateWriter out) const override {
     pieces_.save(bodies, out);

@@ -17,6 +17,7 @@
 #include "core/base/error.h"
 #include "core/base/machine.h"
 #include "core/base/stop_request.h"
+#include "core/bodies/module.h"
 #include "core/output/run/claim_folder.h"
 #include "core/output/run/closing_account.h"
 #include "core/output/run/run_folder.h"
@@ -102,9 +103,9 @@ class Run {
                    ending.message);
     warnings_.summarise();
     output::SummaryInput input = summary_input(ending, wall);
-    input.brash_mass = simulation.total("brash_mass");
-    input.crushed_mass = simulation.total("crushed_mass");
-    input.extruded_mass = simulation.total("extruded_mass");
+    input.brash_mass = simulation.total(bodies::k_brash_mass);
+    input.crushed_mass = simulation.total(bodies::k_crushed_mass);
+    input.extruded_mass = simulation.total(bodies::k_extruded_mass);
     if (twins_) input.twins = twins_->statistics(folder_.statistics().window());
     const auto twins = input.twins;
     input.ice_load = folder_.statistics().ice_load(twins ? &*twins : nullptr);
@@ -224,7 +225,7 @@ class Run {
         const sim::StepRecord record = twins_ ? twins_->step(simulation) : simulation.step();
         folder_.store(record, simulation.last_problem());
         folder_.record(record, simulation.solved_substeps(), simulation.bodies(),
-                       [&](std::int64_t floe) { return simulation.of_body("damage", floe); });
+                       [&](std::int64_t floe) { return simulation.of_body(bodies::k_damage, floe); });
         console.progress(simulation.time(), k + 1 - done);
         if (checkpoint_steps > 0 && (k + 1) % checkpoint_steps == 0) write_checkpoint(simulation);
       }

@@ -9,6 +9,7 @@
 
 #include "core/output/loads/ice_load_json.h"
 #include "core/output/loads/run_statistics.h"
+#include "core/base/error.h"
 #include "core/output/tables/steps_csv.h"
 #include "core/output/tables/vessel_channels.h"
 #include "core/scene/read/read_scene.h"
@@ -58,7 +59,10 @@ TEST_F(OwnModule, PushesAsNewtonSaysAndItsWorkIsBooked) {
   EXPECT_NEAR(record.ledger.works[0], 0.5 * k_mass * speed * speed, 1e-13);
   EXPECT_NEAR(record.ledger.imbalance, 0, 1e-13);
   EXPECT_EQ(record.module_values, std::vector<double>{0});
-  EXPECT_EQ(run.total("no such sum"), 0);
+  EXPECT_EQ(run.total(bodies::k_brash_mass), 0) << "a sum of modules that this scene has not";
+  EXPECT_THROW(run.total("brash_mas"), ContractError);
+  EXPECT_EQ(run.of_body(bodies::k_damage, run.bodies().id[0]), 0);
+  EXPECT_THROW(run.of_body("damages", run.bodies().id[0]), ContractError);
 }
 
 TEST_F(OwnModule, HasAColumnInTheTableOfSteps) {

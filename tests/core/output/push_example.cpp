@@ -24,7 +24,10 @@ class Push : public bodies::ForceModule {
 
   std::vector<std::string> columns() const override { return {"push_steps_left_1"}; }
   void append_values(std::vector<double>& values) const override { values.push_back(steps_left_); }
-  double total(std::string_view name) const override { return name == "push_steps_left" ? steps_left_ : 0; }
+  std::optional<double> total(std::string_view name) const override {
+    if (name == "push_steps_left") return steps_left_;
+    return std::nullopt;
+  }
 
   void save(const bodies::Bodies& /*bodies*/, StateWriter out) const override { out.add("steps_left", steps_left_); }
   void restore(const StateReader& in) override { in.get("steps_left", steps_left_); }
