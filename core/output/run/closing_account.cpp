@@ -53,12 +53,18 @@ std::string detection_lines(const detect::DetectorCounts& counts) {
 /// One line for each method that missed its goal; empty in a healthy run.
 std::string shortfall_lines(const Shortfalls& shortfalls, const detect::DetectorCounts& detection, long steps) {
   std::string text;
-  const auto line = [&](long count, const char* label, const std::string& rest) {
-    if (count > 0) text += fmt::format("{:<22}{} {}\n", label, count, rest);
+  const auto of_the_run = [&](long count, const char* label, const char* rest) {
+    if (count == 0) return;
+    const std::string share = percent_text(static_cast<double>(count) / static_cast<double>(steps));
+    text += account_line(label, fmt::format("{} of {} steps of the whole run ({}) {}", count, steps, share, rest));
   };
-  line(shortfalls.unconverged_steps, "solver not converged", fmt::format("of {} steps above its tolerance", steps));
-  line(shortfalls.uncorrected_steps, "position correction", fmt::format("of {} steps above its tolerance", steps));
-  line(detection.fallbacks, "collision library", "queries without a usable answer; the exact search decided");
+  of_the_run(shortfalls.unconverged_steps, "solver not converged", "above the scene's tolerance");
+  of_the_run(shortfalls.uncorrected_steps, "position correction", "above its tolerance");
+  if (detection.fallbacks > 0)
+    text += account_line("collision library",
+                         fmt::format("{} queries without a usable answer; the exact search decided them, so no action "
+                                     "is needed",
+                                     detection.fallbacks));
   return text;
 }
 

@@ -66,6 +66,12 @@ std::string duration_text(double seconds) {
   return fmt::format("{} h {:02} min", minutes / static_cast<long>(k_minute), minutes % static_cast<long>(k_minute));
 }
 
+std::string percent_text(double share) {
+  constexpr double k_percent = 100, k_whole_from = 10;
+  const double percent = k_percent * share;
+  return percent < k_whole_from ? fmt::format("{:.2g} %", percent) : fmt::format("{:.0f} %", percent);
+}
+
 std::string progress_text(const RunProgress& progress, int width, bool bar) {
   constexpr double k_percent = 100;
   constexpr int k_longest_bar = 24, k_brackets = 3;

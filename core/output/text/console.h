@@ -44,6 +44,8 @@ struct RunProgress {
 std::string progress_text(const RunProgress& progress, int width, bool bar);
 /// A duration as text: 8.31 s, 1 min 23 s, 2 h 03 min.
 std::string duration_text(double seconds);
+/// A share as percent with two digits: 0.013 %, 5.2 %, 52 %, 100 %.
+std::string percent_text(double share);
 
 /// Draws progress. Log messages of loggers given to make_room_for() appear above the line.
 class Console {

@@ -38,6 +38,13 @@ TEST(DurationText, ReadsLikeATime) {
   EXPECT_EQ(duration_text(2 * 3600 + 3 * 60 + 10), "2 h 03 min");
 }
 
+TEST(PercentText, HasTwoDigitsAndNoExponent) {
+  EXPECT_EQ(percent_text(0.000125), "0.013 %");
+  EXPECT_EQ(percent_text(0.0521), "5.2 %");
+  EXPECT_EQ(percent_text(0.52125), "52 %");
+  EXPECT_EQ(percent_text(1), "100 %");
+}
+
 TEST(Console, WithoutATerminalPrintsALineEveryFivePercent) {
   std::ostringstream out;
   double now = 0;
@@ -111,6 +118,7 @@ TEST(ClosingAccount, ShowsWhereTheTimeWentAndTheWorstValues) {
             "worst energy error    1e-12 J at 0.01 s, 6.7e-14 of the energy put in\n"
             "outputs               runs/sample\n");
   for (const auto& line : test::split_lines(text)) EXPECT_LE(line.size(), 80u);
+  EXPECT_EQ(text.find("not converged"), std::string::npos) << "nothing was missed";
   const std::string broken =
       closing_account(statistics, {.wall_s = 0.056}, "runs/sample", BrokenIce{515, 594, 1234567, 0.0123, 0});
   EXPECT_NE(broken.find("floes                 515 at the start, 594 at the end\n"
@@ -137,5 +145,24 @@ TEST(ClosingAccount, ShowsWhereTheTimeWentAndTheWorstValues) {
       << with_twins;
 }
 
-}  // namespace console_test
+/// Each share says of which steps it is, and what needs no action says so.
+TEST(ClosingAccount, NamesWhatMissedItsGoal) {
+  RunStatistics statistics(test::full_run());
+  statistics.start(0, sim::Ledger{.works = {0, 0}});
+  for (int k = 0; k < 8; ++k) {
+    sim::StepRecord record = test::full_record();
+    record.solver_short = k < 4;
+    record.detection.fallbacks = 3;
+    statistics.add(record, std::vector<double>(53, 1));
+  }
+  const std::string text = closing_account(statistics, {.wall_s = 0.056}, "runs/sample");
+  EXPECT_NE(text.find("solver not converged  4 of 8 steps of the whole run (50 %) above the scene's\n"
+                      "                      tolerance\n"
+                      "collision library     24 queries without a usable answer; the exact search\n"
+                      "                      decided them, so no action is needed\n"),
+            std::string::npos)
+      << text;
+}
+
+}  // namespace
 }  // namespace nilas::output
