@@ -93,22 +93,23 @@ class VesselRows {
 };
 
 /// A component of a load as text. It is given as 0 where it is negligible, because rounding leaves such values.
-std::string part_text(double part, const Vec3& load) {
+std::string part_text(double part, const Vec3& load, const output::LoadSides& sides) {
   constexpr double k_nothing = 1e-4;
-  return output::force_text(std::abs(part) < k_nothing * load.norm() ? 0 : part);
+  return output::sided_force(std::abs(part) < k_nothing * load.norm() ? 0 : part, sides);
 }
 
 std::string vessel_loads(const VesselRows& rows, const ContactWindow& window, double step) {
   const double reach = window.half_width + 0.5 * step;
   const Vec3 load = rows.mean_load(window.t - reach, window.t + reach);
-  return fmt::format("mean load {} astern, {} to port, {} up", part_text(load.x(), load), part_text(load.y(), load),
-                     part_text(load.z(), load));
+  return fmt::format("mean load {}, {}, {}", part_text(load.x(), load, output::k_astern),
+                     part_text(load.y(), load, output::k_to_port), part_text(load.z(), load, output::k_upward));
 }
 
 std::string structure_loads(const Vec2& course, const Vec3& force) {
   const Vec2 horizontal = force.head<2>();
-  return fmt::format("mean load {} along, {} across the drift, {} up", part_text(-horizontal.dot(course), force),
-                     part_text(horizontal.dot(sim::to_port(course)), force), part_text(force.z(), force));
+  return fmt::format("mean load {}, {}, {}", part_text(-horizontal.dot(course), force, {"along"}),
+                     part_text(horizontal.dot(sim::to_port(course)), force, {"across the drift"}),
+                     part_text(force.z(), force, output::k_upward));
 }
 
 }  // namespace

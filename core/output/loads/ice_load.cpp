@@ -18,6 +18,7 @@ ComponentLoad component_load(const std::vector<double>& series, const LoadWindow
   load.peak = peak_of(part, start + static_cast<double>(window.first) * h, h, filter);
   const MeanError error = ice_broke ? slow_mean_error(part) : mean_error(part);
   if (error.freedom > 0) load.half_width = error.half_width();
+  load.halves = half_means(part, ice_broke);
   return load;
 }
 

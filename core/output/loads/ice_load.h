@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/output/loads/half_means.h"
 #include "core/output/loads/load_error.h"
 #include "core/output/loads/load_statistics.h"
 #include "core/output/loads/load_window.h"
@@ -17,6 +18,7 @@ struct ComponentLoad {
   LoadStatistics statistics;
   Peak peak;
   std::optional<double> half_width;  ///< half width of the mean's error for about 95 % of runs; empty: not known [N]
+  std::optional<HalfMeans> halves;   ///< means over the halves of the window; empty: too few steps
 };
 
 /// The mean force of the carriage along the course, positive forward, and its components: tow = ice + others + water +

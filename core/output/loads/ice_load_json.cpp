@@ -9,11 +9,20 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// The means over the halves of the window; null where their errors are not known.
+Json halves_json(const std::optional<HalfMeans>& halves, const std::string& unit) {
+  if (!halves) return nullptr;
+  return {{"mean_" + unit, {halves->first.mean, halves->second.mean}},
+          {"estimate_" + unit, {halves->first.half_width, halves->second.half_width}},
+          {"differ", halves->differ()}};
+}
+
 /// One component. `unit`: N or Nm, the end of the keys.
 Json component_json(const ComponentLoad& load, const std::string& unit) {
   const Peak& peak = load.peak;
   return {{"mean_" + unit, load.statistics.mean},
           {"estimate_" + unit, or_null(load.half_width)},
+          {"halves", halves_json(load.halves, unit)},
           {"std_" + unit, load.statistics.std},
           {"p99_" + unit, load.statistics.p99},
           {"filtered_peak_" + unit, peak.filtered},

@@ -18,38 +18,66 @@ std::string plain(double x, int digits) {
   return fmt::format("{:.{}f}", std::round(x / unit) * unit, decimals);
 }
 
-/// A mean with its error, as "16.9 N +- 2.1 N", both in the unit of the larger.
-std::string with_error(double mean, const std::optional<double>& half_width, bool at_least = false) {
+constexpr LoadSides k_along{"along"}, k_across{"across"};  // of structures, which have no bow
+constexpr LoadSides k_along_drift{"along the drift"}, k_across_drift{"across the drift"};
+
+/// A number without its sign where a word tells it.
+double magnitude(double x, const LoadSides& sides) { return sides.negative != nullptr ? std::abs(x) : x; }
+
+std::string side(double x, const LoadSides& sides) {
+  return x < 0 && sides.negative != nullptr ? sides.negative : sides.positive;
+}
+
+/// A mean with its error and its side, as "16.9 N +- 2.1 N astern", both in the unit of the larger.
+std::string with_error(double mean, const std::optional<double>& half_width, const LoadSides& sides,
+                       bool at_least = false) {
   constexpr int k_error_digits = 2;
   const ForceUnit unit = force_unit(std::max(std::abs(mean), half_width.value_or(0)));
-  const std::string value = fmt::format("{:.4g} {}", mean / unit.size, unit.name);
-  return value + (half_width ? (at_least ? " +- at least " : " +- ") + plain(*half_width / unit.size, k_error_digits) +
-                                   " " + unit.name
-                             : " (+- not known)");
+  const std::string error = half_width ? fmt::format(" +- {}{} {}", at_least ? "at least " : "",
+                                                     plain(*half_width / unit.size, k_error_digits), unit.name)
+                                       : " (+- not known)";
+  return fmt::format("{:.4g} {}{} {}", magnitude(mean, sides) / unit.size, unit.name, error, side(mean, sides));
+}
+
+std::string mean_text(const ComponentLoad& load, const LoadSides& sides, bool at_least = false) {
+  return with_error(load.statistics.mean, load.half_width, sides, at_least);
 }
 
 std::string window_text(const IceLoad& load) {
   return fmt::format("{:g} s to {:g} s, {}", load.window.from, load.window.to, load.window.reason);
 }
 
-std::string peak_lines(const IceLoad& load) {
+std::string peak_lines(const IceLoad& load, const LoadSides& sides_along, const LoadSides& sides_across) {
   const Peak &along = load.along.peak, &across = load.across.peak;
-  std::string text = account_line(
-      "  filtered peak", fmt::format("{} along at {:.5g} s, {} across: means over {:.2g} s", force_text(along.filtered),
-                                     along.filtered_time, force_text(across.filtered), load.filter));
+  const bool turned = along.raw < 0 && sides_along.negative != nullptr;
+  std::string text =
+      account_line("  filtered peak", fmt::format("{} at {:.5g} s, {}: means over {:.2g} s",
+                                                  sided_force(along.filtered, sides_along), along.filtered_time,
+                                                  sided_force(across.filtered, sides_across), load.filter));
   text += account_line(
       "  raw peak",
       fmt::format("{} in one step, at {:g} s; the impact around it lasts {:.2g} s and has an impulse of {:.3g} "
                   "N s. {}",
-                  force_text(along.raw), along.raw_time, along.event_to - along.event_from, along.event_impulse,
-                  raw_peak_depends_on(load)));
+                  sided_force(along.raw, sides_along), along.raw_time, along.event_to - along.event_from,
+                  turned ? -along.event_impulse : along.event_impulse, raw_peak_depends_on(load)));
   if (load.impacts_dominate())
     text += account_line("  advice",
-                         fmt::format("1 % of the steps carry {:.0f} % of the load: single rigid impacts. Let the "
-                                     "ice crush (<fracture><crushing>, breakable ice) to limit them to the "
+                         fmt::format("1 % of the window's steps carry {:.0f} % of its load: single rigid impacts. Let "
+                                     "the ice crush (<fracture><crushing>, breakable ice) to limit them to the "
                                      "strength of ice.",
                                      100 * load.in_largest));
   return text;
+}
+
+/// A sentence on a component whose means over the halves of the window differ; empty where they do not.
+std::string halves_line(const ComponentLoad& load, const LoadSides& sides) {
+  if (!load.halves || !load.halves->differ()) return "";
+  const HalfMean &first = load.halves->first, &second = load.halves->second;
+  return account_line("  not steady",
+                      fmt::format("The mean was {} over the first half of the window and {} over the second. Either "
+                                  "the load still changes or the window holds too little ice: run longer.",
+                                  with_error(first.mean, first.half_width, sides),
+                                  with_error(second.mean, second.half_width, sides)));
 }
 
 std::string error_text(const LoadError& error) {
@@ -61,9 +89,10 @@ std::string error_text(const LoadError& error) {
                      : ". The effects of chance and the time step are not known";
   if (error.solver_at_least)
     text += fmt::format(
-        ". In {:.2g} % of the steps the solver residual was above the tolerance{}; the effect on the motion of the ice "
-        "is not known. Set a stricter solver (contact/@solver, @tolerance, @max_iterations) and compare",
-        100 * error.share_short, error.ice_broke ? " or above a thousandth of the speed" : "");
+        ". In {} of the window's steps the solver residual was above the scene's tolerance{}; the effect on the "
+        "motion of the ice is not known. Set a stricter solver (contact/@solver, @tolerance, @max_iterations) and "
+        "compare",
+        percent_text(error.share_short), error.ice_broke ? " or above a thousandth of the vessel's speed" : "");
   return text + ". The +- does not cover other ice of the same kind: run other seeds (--seed) and compare the means.";
 }
 
@@ -98,6 +127,10 @@ std::string force_text(double newton) {
   return fmt::format("{:.4g} {}", newton / unit.size, unit.name);
 }
 
+std::string sided_force(double newton, const LoadSides& sides) {
+  return force_text(magnitude(newton, sides)) + " " + side(newton, sides);
+}
+
 std::string raw_peak_depends_on(const IceLoad& load) {
   if (load.rigid)
     return fmt::format("This peak depends on the time step of {:g} s: a rigid impact is over within one step.",
@@ -114,16 +147,16 @@ std::string ice_load_lines(const IceLoad& load, const LoadError& error) {
     text = account_line("ice load", "none: no ice pressed on the hull in the window");
     text += account_line("  window", window_text(load));
   } else {
-    text = account_line(
-        "ice load", fmt::format("{} astern, {} to port{}",
-                                with_error(load.along.statistics.mean, load.along.half_width, error.solver_at_least),
-                                with_error(load.across.statistics.mean, load.across.half_width, error.solver_at_least),
-                                error.from_twins ? "; means over the run and its perturbed runs" : ""));
+    text = account_line("ice load",
+                        fmt::format("{}, {}{}", mean_text(load.along, k_astern, error.solver_at_least),
+                                    mean_text(load.across, k_to_port, error.solver_at_least),
+                                    error.from_twins ? "; means over the run and its perturbed runs" : ""));
     text += account_line("  window", window_text(load));
     text += account_line("  deviation", fmt::format("{} along, {} across", force_text(load.along.statistics.std),
                                                     force_text(load.across.statistics.std)));
-    text += peak_lines(load);
+    text += peak_lines(load, k_astern, k_to_port);
     text += account_line("  sources of the +-", error_text(error));
+    text += halves_line(load.along, k_astern) + halves_line(load.across, k_to_port);
   }
   if (load.tow) text += tow_lines(*load.tow);
   return text;
@@ -131,15 +164,14 @@ std::string ice_load_lines(const IceLoad& load, const LoadError& error) {
 
 std::string structure_lines(const StructureLoad& structure) {
   const std::string label = fmt::format("load on '{}'", structure.name);
-  if (!structure.ice.touched) return account_line(label, "none: no ice pressed on it");
-  return account_line(label,
-                      fmt::format("{} along, {} across the drift, from {:g} s to {:g} s",
-                                  with_error(structure.ice.along.statistics.mean, structure.ice.along.half_width),
-                                  with_error(structure.ice.across.statistics.mean, structure.ice.across.half_width),
-                                  structure.ice.window.from, structure.ice.window.to)) +
-         account_line("  deviation", fmt::format("{} along, {} across", force_text(structure.ice.along.statistics.std),
-                                                 force_text(structure.ice.across.statistics.std))) +
-         peak_lines(structure.ice);
+  const IceLoad& ice = structure.ice;
+  if (!ice.touched) return account_line(label, "none: no ice pressed on it");
+  return account_line(label, fmt::format("{}, {}, from {:g} s to {:g} s", mean_text(ice.along, k_along),
+                                         mean_text(ice.across, k_across_drift), ice.window.from, ice.window.to)) +
+         account_line("  deviation", fmt::format("{} along, {} across", force_text(ice.along.statistics.std),
+                                                 force_text(ice.across.statistics.std))) +
+         peak_lines(ice, k_along, k_across) + halves_line(ice.along, k_along_drift) +
+         halves_line(ice.across, k_across_drift);
 }
 
 }  // namespace nilas::output

@@ -15,6 +15,14 @@ ForceUnit force_unit(double newton);
 /// A force in N, kN or MN with four digits.
 std::string force_text(double newton);
 
+/// The words for the two signs of a load's component. Without `negative`, the number keeps its sign.
+struct LoadSides {
+  const char *positive, *negative = nullptr;
+};
+inline constexpr LoadSides k_astern{"astern", "forward"}, k_to_port{"to port", "to starboard"}, k_upward{"up", "down"};
+/// A force with its side: "7.506 N to starboard".
+std::string sided_force(double newton, const LoadSides& sides);
+
 /// The settings on which a raw peak depends, as a whole sentence.
 std::string raw_peak_depends_on(const IceLoad& load);
 
