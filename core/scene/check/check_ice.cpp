@@ -58,7 +58,7 @@ static void check_shape(const SceneElement& shape, std::vector<Fault>& faults) {
 
 static void check_library(const SceneElement& field, std::vector<Fault>& faults) {
   const SceneElement *size = child_of(field, "size"), *shape = child_of(field, "shape");
-  const bool library = shape != nullptr && is_named(*shape, "library");
+  const bool library = shape ? is_named(*shape, "library") : is_misspelt(field, "shape");
   if (size != nullptr && choice_of<SizeDistribution>(*size, "distribution") == SizeDistribution::as_library && !library)
     faults.push_back(fault_of(*size, "distribution", "found as-library; it needs <shape library=...>"));
 }

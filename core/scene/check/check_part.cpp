@@ -55,7 +55,7 @@ void check_parts(const SceneElement& root, const SceneElement& vessel, std::vect
   }
   if (first == nullptr) return;
   const SceneElement* mass = child_of(vessel, "mass");
-  if (!mass || !is_named(*mass, "value"))
+  if (mass ? !is_named(*mass, "value") : !is_misspelt(vessel, "mass"))
     faults.push_back(fault_of(
         *first, "with parts the mass of the hull cannot follow from the water; allowed: <mass value=\"...\">"));
   const auto position = numbers_of(vessel, "position");

@@ -13,6 +13,7 @@ static std::string held_fast(const SceneElement& vessel) {
   const SceneElement* carriage = child_of(vessel, "carriage");
   if (!carriage || !words_of(*carriage, "free").empty()) return {};
   const SceneElement* balance = child_of(*carriage, "force_balance");
+  if (!balance && is_misspelt(*carriage, "force_balance")) return {};
   const auto kind = balance ? choice_of<BalanceKind>(*balance, "kind") : std::nullopt;
   return !kind || *kind == BalanceKind::rigid ? "<carriage> with force balance 'rigid' and no free axis" : "";
 }

@@ -29,6 +29,7 @@ static void check_motion(const SceneElement& vessel, std::vector<Fault>& faults)
 static void check_flotation(const SceneElement& root, const SceneElement& vessel, std::vector<Fault>& faults) {
   const bool water = is_named(root, "water");
   const SceneElement* mass = child_of(vessel, "mass");
+  if (!mass && is_misspelt(vessel, "mass")) return;
   const bool by_value = mass && is_named(*mass, "value"), by_draught = mass && is_named(*mass, "draught");
   if (by_value && by_draught)
     faults.push_back(fault_of(*mass, "draught", "found a mass and a draught; allowed: one of them"));

@@ -70,9 +70,10 @@ static void check_statistics(const SceneElement& output, std::vector<Fault>& fau
 static void check_fracture(const SceneElement& root, const SceneElement& fracture, std::vector<Fault>& faults) {
   const SceneElement *gravity = child_of(root, "gravity"), *hydro = child_of(root, "hydro");
   const auto g = gravity ? numbers_of(*gravity, "value") : std::nullopt;
+  const bool floats = hydro ? is_named(*hydro, "buoyancy") : is_misspelt(root, "hydro");
   for (const auto& child : fracture.children) {
     if (child.name != "bending" && child.name != "splitting") continue;
-    if (!hydro || !child_of(*hydro, "buoyancy"))
+    if (!floats)
       faults.push_back(fault_of(child, "the ice rests on water as it breaks; allowed: with <hydro><buoyancy>"));
     if (g && !(g->at(0) == 0 && g->at(1) == 0 && g->at(2) < 0))
       faults.push_back(fault_of(child, "the ice rests on water as it breaks; allowed: <gravity> along -Z, 0 0 -g"));

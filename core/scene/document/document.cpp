@@ -32,8 +32,11 @@ const SceneElement* child_of(const SceneElement& element, const std::string& nam
 
 bool is_named(const SceneElement& element, const std::string& name) {
   const SceneAttribute* attribute = attribute_of(element, name);
-  return (attribute && attribute->given) || child_of(element, name) ||
-         std::count(element.suspects.begin(), element.suspects.end(), name) > 0;
+  return (attribute && attribute->given) || child_of(element, name) || is_misspelt(element, name);
+}
+
+bool is_misspelt(const SceneElement& element, const std::string& name) {
+  return std::count(element.suspects.begin(), element.suspects.end(), name) > 0;
 }
 
 Fault fault_at(const Place& place, const std::string& where, const std::string& message) {

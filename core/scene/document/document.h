@@ -41,6 +41,9 @@ SceneElement* child_of(SceneElement& element, const std::string& name);
 const SceneElement* child_of(const SceneElement& element, const std::string& name);
 /// Whether the file names such an attribute or child, even misspelt.
 bool is_named(const SceneElement& element, const std::string& name);
+/// Whether the file probably names such an attribute or child, but misspelt. What follows from its absence is no fault
+/// of its own then.
+bool is_misspelt(const SceneElement& element, const std::string& name);
 
 Fault fault_at(const Place& place, const std::string& where, const std::string& message);
 Fault fault_of(const SceneElement& element, const std::string& message);

@@ -63,6 +63,29 @@ TEST(Faults, AMisspeltRequiredAttributeIsOneFault) {
                {"unknown attribute", "nearest: length"});
 }
 
+/// What a misspelt element would have provided is not reported as missing elsewhere.
+TEST(Faults, AMisspeltElementIsOneFault) {
+  const SceneFolder folder;
+  const auto fault = [&](const std::string& content, const std::string& where, const std::string& nearest) {
+    SCOPED_TRACE(content);
+    expect_fault(folder.faults(in_scene(content)), 2, where, {"unknown element here", "nearest: " + nearest});
+  };
+  const std::string breaks =
+      "<ice><floe breakable='true' outline='0 0 1 0 1 1'/></ice><fracture><bending/><splitting/></fracture>";
+  fault("<water/><hydro><bouyancy/></hydro>" + breaks, "<hydro><bouyancy>", "buoyancy");
+  fault("<water/><hidro><buoyancy/></hidro>" + breaks, "<hidro>", "hydro");
+  fault("<vessel><hull/><mas value='1500'/></vessel>", "<vessel><mas>", "mass");
+  fault("<water/><vessel position='0 0'><hull/><mas value='1500'/></vessel>", "<vessel><mas>", "mass");
+  fault("<vessel position='0 0 0'><hull/><mas value='1500'/><part name='a' density='1000'/></vessel>",
+        "<vessel><mas>", "mass");
+  fault("<ice><field region='0 0 1 1'><size distribution='as-library'/><shap library='floes.json'/></field></ice>",
+        "<ice><field><shap>", "shape");
+  expect_fault(folder.faults(in_scene("<water/><hydro><drag/></hydro>"
+                                      "<ice><floe breakable='true' outline='0 0 1 0 1 1'/></ice>"
+                                      "<fracture><bending/></fracture>")),
+               2, "<fracture><bending>", {"with <hydro><buoyancy>"});
+}
+
 TEST(Faults, AmericanSpellingIsOneFault) {
   const SceneFolder folder;
   expect_fault(folder.faults(in_scene("<water/><vessel position='0 0'><hull/><mass draft='0.4'/></vessel>")), 2,
