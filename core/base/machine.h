@@ -1,5 +1,5 @@
 #pragma once
-/// The machine that a program runs on, for reports.
+/// The machine that a program runs on, and what it takes of it, for reports.
 #include <string>
 
 namespace nilas {
@@ -8,5 +8,7 @@ namespace nilas {
 std::string system_text();
 /// Model name of the processor; empty where the system does not say.
 std::string processor_text();
+/// Processor time that this process has taken so far, on all of its threads, for itself and in the kernel [s].
+double processor_seconds();
 
 }  // namespace nilas

@@ -95,14 +95,14 @@ class Run {
     else
       begin(simulation);
     const Ending ending = advance(simulation, console);
-    const double wall = wall_seconds();
+    const double wall = wall_seconds(), processor = run_processor_seconds();
     if (!ending.early.empty())
       logger_->warn("the run ends at {:g} s instead of {:g} s: {}", simulation.time(), scene_.time.end, ending.early);
     if (!ending.message.empty())
       logger_->log(ending.exit_code == exit_interrupted ? spdlog::level::warn : spdlog::level::err, "{}",
                    ending.message);
     warnings_.summarise();
-    output::SummaryInput input = summary_input(ending, wall);
+    output::SummaryInput input = summary_input(ending, wall, processor);
     input.brash_mass = simulation.total(bodies::k_brash_mass);
     input.crushed_mass = simulation.total(bodies::k_crushed_mass);
     input.extruded_mass = simulation.total(bodies::k_extruded_mass);
@@ -127,8 +127,9 @@ class Run {
     if (options_.json)
       std::cout << summary.dump(2) << "\n";
     else
-      console.close(output::closing_account(folder_.statistics(), {.wall_s = wall, .interrupted = ending.interrupted},
-                                            folder_.path(), ice, twins ? &*twins : nullptr, ice_load));
+      console.close(output::closing_account(
+          folder_.statistics(), {.wall_s = wall, .processor_s = processor, .interrupted = ending.interrupted},
+          folder_.path(), ice, twins ? &*twins : nullptr, ice_load));
     return ending.exit_code;
   }
 
@@ -144,6 +145,8 @@ class Run {
   std::string console_level() const { return options_.quiet ? "warn" : options_.log_level; }
   /// Wall time of all sessions of the run [s].
   double wall_seconds() const { return wall_before_ + output::steady_seconds() - started_; }
+  /// Processor time of all sessions of the run, on all threads [s].
+  double run_processor_seconds() const { return processor_before_ + processor_seconds() - processor_started_; }
 
   std::unique_ptr<sim::Simulation> build() {
     output::PhaseProgress progress(std::cerr, before_run_style(),
@@ -192,6 +195,7 @@ class Run {
     folder_.resume(scene_, simulation.info(), warnings_, in.group("outputs"));
     warnings_.restore(in.group("warnings"));
     in.get("wall_s", wall_before_);
+    in.get("processor_s", processor_before_);
     steps_saved_ = simulation.steps();
     logger_->info("the run continues from {:g} s", simulation.time());
     console.go_on_from(simulation.time());
@@ -205,6 +209,7 @@ class Run {
     simulation.save(out.group("simulation"));
     warnings_.save(out.group("warnings"));
     out.add("wall_s", wall_seconds());
+    out.add("processor_s", run_processor_seconds());
     if (!origin_) origin_ = checkpoint_origin(scene_.fingerprint);
     folder_.write_checkpoint(*origin_, std::move(state));
     steps_saved_ = simulation.steps();
@@ -270,12 +275,13 @@ class Run {
     logger_->debug("not asked for, so not built:{}", absent);
   }
 
-  output::SummaryInput summary_input(const Ending& ending, double wall) const {
+  output::SummaryInput summary_input(const Ending& ending, double wall, double processor) const {
     output::SummaryInput input;
     input.status = ending.status;
     input.exit_code = ending.exit_code;
     input.ended_early = ending.early;
     input.wall_s = wall;
+    input.processor_s = processor;
     input.seed = scene_.seed;
     input.threads = options_.threads;
     input.machine = system_text();
@@ -293,6 +299,7 @@ class Run {
   std::optional<TwinRuns> twins_;                ///< the perturbed runs, if they are asked for
   long steps_saved_ = -1;                        ///< steps in the newest checkpoint; -1: there is none
   double started_ = output::steady_seconds(), wall_before_ = 0;
+  double processor_started_ = processor_seconds(), processor_before_ = 0;
   std::shared_ptr<spdlog::logger> logger_;
   WarningCounts warnings_;
 };

@@ -5,6 +5,7 @@
 
 #include "contact/measure/measure.h"
 #include "core/base/error.h"
+#include "core/base/machine.h"
 #include "core/output/tables/structure_channels.h"
 
 namespace nilas::output {
@@ -20,6 +21,7 @@ RunStatistics::RunStatistics(const sim::RunInfo& info)
     : info_(info),
       structure_series_(info.structures.size() * structure_load_names().size()),
       structure_first_ice_(info.structures.size(), k_never),
+      processor_s_(processor_seconds()),
       works_(info.work_names.size(), 0),
       reactions_(info) {
   for (const auto& residual : contact::residual_columns()) worst_.push_back({residual.name});
@@ -38,6 +40,7 @@ void RunStatistics::start(double t, const sim::Ledger& ledger) {
   t_start_ = t_end_ = t;
   energy_put_in_ = ledger.kinetic;
   works_ = ledger.works;
+  processor_s_ = processor_seconds();
 }
 
 void RunStatistics::add(const sim::StepRecord& record, const std::vector<double>& vessel_values) {
@@ -60,7 +63,10 @@ void RunStatistics::add(const sim::StepRecord& record, const std::vector<double>
   reactions_.add(record);
   h_ = record.h;
   if (!record.broken.empty()) first_break_ = std::min(first_break_, record.t);
-  costs_.add(record);
+  constexpr double k_ms_per_s = 1000;
+  const double processor_s = processor_seconds();
+  costs_.add(record, k_ms_per_s * (processor_s - processor_s_));
+  processor_s_ = processor_s;
   if (!load_series_.empty()) add_vessel(record, vessel_values);
   add_structures(record);
 }
@@ -180,6 +186,7 @@ void RunStatistics::restore(const StateReader& in) {
   in.get("detection", counts, detect::k_detector_counts.size());
   for (std::size_t k = 0; k < counts.size(); ++k) detection_.*detect::k_detector_counts[k] = counts[k];
   reactions_.restore(in.group("reactions"));
+  processor_s_ = processor_seconds();
 }
 
 const Worst& RunStatistics::worst(const std::string& name) const {

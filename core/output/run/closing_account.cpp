@@ -18,6 +18,19 @@ std::string phase_line(const std::string& name, double ms, long steps, double to
                      total_ms > 0 ? k_percent * ms / total_ms : 0);
 }
 
+/// Processor time, and whether the run had to wait for it. On a free machine at least one thread computes at any time,
+/// whatever the number of threads, so the processor time is then at least the wall-clock time.
+std::string processor_lines(const RunEnding& ending) {
+  constexpr double k_waits = 1.5, k_shortest_told_s = 2;  // shorter runs mostly read files
+  std::string text = fmt::format("{:<22}{}, {:.3g} x wall-clock\n", "processor time", duration_text(ending.processor_s),
+                                 ending.wall_s > 0 ? ending.processor_s / ending.wall_s : 0);
+  if (ending.wall_s > k_shortest_told_s && ending.wall_s > k_waits * ending.processor_s)
+    text += account_line("  busy machine", fmt::format("Other work on this machine, or a slow disk, made the run wait. "
+                                                       "On a free machine it takes about {} at most.",
+                                                       duration_text(ending.processor_s)));
+  return text;
+}
+
 /// Wall time per phase. `other` is the time outside of the steps: building the scene, drawing progress.
 std::string phase_table(const RunStatistics& statistics, double wall_s) {
   const auto& ms = statistics.total_ms();
@@ -107,6 +120,7 @@ std::string closing_account(const RunStatistics& statistics, const RunEnding& en
   text += fmt::format("{:<22}{:g} s in {} steps\n", "simulated", simulated, statistics.steps());
   text += fmt::format("{:<22}{}, {:.3g} x real time\n", "wall-clock", duration_text(wall_s),
                       wall_s > 0 ? simulated / wall_s : 0);
+  text += processor_lines(ending);
   text += phase_table(statistics, wall_s);
   text += detection_lines(statistics.detection());
   text += worst_line("worst law residual", statistics, "law_map_m_s", "m/s");

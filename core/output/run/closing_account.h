@@ -18,11 +18,12 @@ struct BrokenIce {
 /// The end of a run, as only the calling program knows it.
 struct RunEnding {
   double wall_s = 0;             ///< wall-clock time of the whole run [s]
+  double processor_s = 0;        ///< processor time of the whole run, on all threads [s]
   std::string interrupted = {};  ///< when the run was interrupted and how to continue it; empty: it was not
 };
 
-/// The account as lines of at most 80 columns, except for the path. It contains wall-clock time, time per phase, the
-/// worst solver residual, penetration and energy error, the ice load and tow force over the window, loads on
+/// The account as lines of at most 80 columns, except for the path. It contains wall-clock and processor time, with a
+/// sentence where the machine was busy with other work, time per phase, the worst solver residual, penetration and energy error, the ice load and tow force over the window, loads on
 /// structures, and the path of the outputs. It also contains the losses of ice that can break, and the horizon of
 /// perturbed runs (`twins`).
 std::string closing_account(const RunStatistics& statistics, const RunEnding& ending,

@@ -15,7 +15,8 @@ struct SummaryInput {
   std::string status = "done";  ///< done, failed, interrupted ...
   std::string ended_early;      ///< reason why a completed run did not reach its end time, or empty
   int exit_code = 0;
-  double wall_s = 0;  ///< wall time of the whole run [s]
+  double wall_s = 0;       ///< wall time of the whole run [s]
+  double processor_s = 0;  ///< processor time of the whole run, on all threads [s]
   std::uint64_t seed = 0;
   int threads = 1;
   std::string machine;

@@ -9,6 +9,7 @@ namespace nilas::output {
 namespace {
 
 constexpr double k_told_from = 1.5;                  // ratio of step times
+constexpr double k_waits = 1.25;                     // wall time over processor time
 constexpr std::size_t k_quarters = 4, k_least = 20;  // least number of steps in a quarter
 constexpr double k_shortest_told_ms = 2000;          // time of all steps
 
@@ -29,8 +30,9 @@ Ends ends(const std::vector<double>& series, std::size_t first) {
 
 }  // namespace
 
-void StepCosts::add(const sim::StepRecord& record) {
+void StepCosts::add(const sim::StepRecord& record, double processor_ms) {
   ms_.push_back(std::accumulate(record.ms.begin(), record.ms.end(), 0.0));
+  processor_ms_.push_back(processor_ms);
   solver_ms_.push_back(record.ms[static_cast<std::size_t>(sim::Phase::solver)]);
   fracture_ms_.push_back(record.ms[static_cast<std::size_t>(sim::Phase::fracture)]);
   contacts_.push_back(record.contacts);
@@ -39,15 +41,25 @@ void StepCosts::add(const sim::StepRecord& record) {
 
 std::string StepCosts::slowdown(std::size_t first) const {
   if (first + k_quarters * k_least > ms_.size()) return "";
-  const Ends ms = ends(ms_, first), solver = ends(solver_ms_, first), fracture = ends(fracture_ms_, first);
+  const Ends ms = ends(ms_, first), processor = ends(processor_ms_, first);
   if (std::accumulate(ms_.begin(), ms_.end(), 0.0) < k_shortest_told_ms || ms.ratio() < k_told_from) return "";
+  std::string text = fmt::format(
+      "Steps of the last quarter took {:.3g} times as long as those of the first: {:.0f} ms instead of {:.0f} ms, with "
+      "{:.0f} ms of processor time instead of {:.0f} ms.",
+      ms.ratio(), ms.late, ms.early, processor.late, processor.early);
+  // On a free machine at least one thread computes at any time, whatever their number.
+  const bool waited = ms.late > k_waits * processor.late;
+  if (waited) text += " The machine was busy with other work, or its disk was slow.";
+  return waited && processor.ratio() < k_told_from ? text : text + " " + causes(first);
+}
+
+std::string StepCosts::causes(std::size_t first) const {
+  const Ends ms = ends(ms_, first), solver = ends(solver_ms_, first), fracture = ends(fracture_ms_, first);
   const Ends contacts = ends(contacts_, first), iterations = ends(iterations_, first);
   constexpr double k_percent = 100;
   const double added = ms.late - ms.early;
   std::string text = fmt::format(
-      "Steps of the last quarter took {:.3g} times as long as those of the first: {:.0f} ms instead of "
-      "{:.0f} ms. The solver took {:.0f} % of the time added{}. ",
-      ms.ratio(), ms.late, ms.early, k_percent * (solver.late - solver.early) / added,
+      "The solver took {:.0f} % of the time added{}. ", k_percent * (solver.late - solver.early) / added,
       fracture.late > 0
           ? fmt::format(", crushing and breaking {:.0f} %", k_percent * (fracture.late - fracture.early) / added)
           : "");
@@ -58,6 +70,7 @@ std::string StepCosts::slowdown(std::size_t first) const {
 
 void StepCosts::save(StateWriter out) const {
   out.add("ms", ms_);
+  out.add("processor_ms", processor_ms_);
   out.add("solver_ms", solver_ms_);
   out.add("fracture_ms", fracture_ms_);
   out.add("contacts", contacts_);
@@ -66,6 +79,7 @@ void StepCosts::save(StateWriter out) const {
 
 void StepCosts::restore(const StateReader& in, std::size_t steps) {
   in.get("ms", ms_, steps);
+  in.get("processor_ms", processor_ms_, steps);
   in.get("solver_ms", solver_ms_, steps);
   in.get("fracture_ms", fracture_ms_, steps);
   in.get("contacts", contacts_, steps);

@@ -137,6 +137,7 @@ TEST(RunFolder, SummaryTellsTheRun) {
   run.steps(1);
   SummaryInput input;
   input.wall_s = 0.005;
+  input.processor_s = 0.004;
   input.seed = 7;
   input.threads = 2;
   input.crushed_mass = 1.5;
@@ -149,6 +150,7 @@ TEST(RunFolder, SummaryTellsTheRun) {
   EXPECT_EQ(summary["time_end_s"], 0.02);
   EXPECT_EQ(summary["steps"], 2);
   EXPECT_EQ(summary["wall_s"], 0.005);
+  EXPECT_EQ(summary["processor_s"], 0.004);
   EXPECT_DOUBLE_EQ(summary["real_time_factor"], 4);
   EXPECT_EQ(summary["vessel"]["mass_kg"], 1500);
   EXPECT_EQ(summary["vessel"]["cog_m"], (std::vector<double>{2, 0, 0.25}));

@@ -99,10 +99,11 @@ TEST(ClosingAccount, ShowsWhereTheTimeWentAndTheWorstValues) {
   RunStatistics statistics(test::full_run());
   statistics.start(0, sim::Ledger{.works = {0, 0}});
   statistics.add(test::full_record(), std::vector<double>(53, 1));
-  const std::string text = closing_account(statistics, {.wall_s = 0.056}, "runs/sample");
+  const std::string text = closing_account(statistics, {.wall_s = 0.056, .processor_s = 0.042}, "runs/sample");
   EXPECT_EQ(text,
             "simulated             0.01 s in 1 steps\n"
             "wall-clock            0.056 s, 0.179 x real time\n"
+            "processor time        0.042 s, 0.75 x wall-clock\n"
             "  phase          ms per step  percent\n"
             "  hydro               1.0000      1.8\n"
             "  detection           2.0000      3.6\n"
@@ -143,6 +144,21 @@ TEST(ClosingAccount, ShowsWhereTheTimeWentAndTheWorstValues) {
                             "perturbed run         2 failed at 7.5 s\n"),
             std::string::npos)
       << with_twins;
+}
+
+/// A thread computes at any time, so 100 s with 40 s of work were spent waiting, and 100 s with 90 s hardly.
+TEST(ClosingAccount, SaysThatTheMachineWasBusy) {
+  const RunStatistics statistics(test::full_run());
+  const std::string busy = closing_account(statistics, {.wall_s = 100, .processor_s = 40}, "runs/sample");
+  EXPECT_NE(busy.find("wall-clock            1 min 40 s, 0 x real time\n"
+                      "processor time        40 s, 0.4 x wall-clock\n"
+                      "  busy machine        Other work on this machine, or a slow disk, made the run\n"
+                      "                      wait. On a free machine it takes about 40 s at most.\n"),
+            std::string::npos)
+      << busy;
+  for (const double processor_s : {90.0, 180.0})
+    EXPECT_EQ(closing_account(statistics, {.wall_s = 100, .processor_s = processor_s}, "runs/sample").find("busy"),
+              std::string::npos);
 }
 
 /// Each share says of which steps it is, and what needs no action says so.

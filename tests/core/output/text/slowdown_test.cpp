@@ -17,9 +17,12 @@ sim::StepRecord step(double solver_ms, int contacts) {
 
 TEST(Slowdown, NamesWhatGrew) {
   StepCosts costs;
-  for (int k = 0; k < 400; ++k) costs.add(step(k < 200 ? 5 : 45, k < 200 ? 10 : 300));
+  for (int k = 0; k < 400; ++k) costs.add(step(k < 200 ? 5 : 45, k < 200 ? 10 : 300), k < 200 ? 10 : 50);
   const std::string text = costs.slowdown(0);
   EXPECT_NE(text.find("5 times as long"), std::string::npos) << text;
+  EXPECT_NE(text.find("50 ms instead of 10 ms, with 50 ms of processor time instead of 10 ms."), std::string::npos)
+      << text;
+  EXPECT_EQ(text.find("busy"), std::string::npos) << text;
   EXPECT_NE(text.find("The solver took 100 % of the time added"), std::string::npos) << text;
   EXPECT_NE(text.find("300 contacts per step instead of 10, and 600 iterations instead of 20"), std::string::npos)
       << text;
@@ -27,9 +30,32 @@ TEST(Slowdown, NamesWhatGrew) {
   EXPECT_EQ(costs.slowdown(390), "") << "too few steps";
 }
 
+/// A step of 50 ms with 12 ms of work waited for the processor, so its contacts are not to blame. Of 39 ms of work, four
+/// times as much as before, both are causes.
+TEST(Slowdown, TellsAMachineThatWasBusyFromIce) {
+  for (const bool more_work : {false, true}) {
+    StepCosts costs;
+    for (int k = 0; k < 400; ++k)
+      costs.add(step(k < 200 ? 5 : 45, k < 200 ? 10 : 11), k < 200 ? 10 : more_work ? 39 : 12);
+    const std::string text = costs.slowdown(0);
+    EXPECT_NE(text.find("50 ms instead of 10 ms, with "), std::string::npos) << text;
+    EXPECT_NE(text.find("busy with other work, or its disk was slow."), std::string::npos) << text;
+    EXPECT_EQ(text.find("contacts per step") != std::string::npos, more_work) << text;
+  }
+}
+
+/// With two threads the processor time may be less in proportion where less of a step is shared, without any waiting.
+TEST(Slowdown, FewerThreadsAtWorkAreNoOtherWork) {
+  StepCosts costs;
+  for (int k = 0; k < 400; ++k) costs.add(step(k < 200 ? 5 : 45, 10), k < 200 ? 20 : 50);
+  const std::string text = costs.slowdown(0);
+  EXPECT_EQ(text.find("busy"), std::string::npos) << text;
+  EXPECT_NE(text.find("The solver took 100 % of the time added"), std::string::npos) << text;
+}
+
 TEST(Slowdown, SaysNothingOfShortRuns) {
   StepCosts costs;
-  for (int k = 0; k < 100; ++k) costs.add(step(k < 50 ? 0.1 : 5, 1));
+  for (int k = 0; k < 100; ++k) costs.add(step(k < 50 ? 0.1 : 5, 1), 10);
   EXPECT_EQ(costs.slowdown(0), "");
 }
 
