@@ -26,6 +26,7 @@ ICE = "#E4F0F8"
 ICE_EDGE = "#5F86A3"
 WATER = "#B9D7EA"
 WATER_LINE = "#3D85B0"
+HULL_WATERLINE = "#0040FF"  # as in apps/report/templates/contacts.gnuplot and apps/nilas/templates/hull.gnuplot
 
 WIDTH = 7.2  # inches: 700 px at 97 dots per inch, so that 10 points are 13 px
 SMALL = 8.5  # points: no text is smaller

@@ -34,8 +34,8 @@ def draw_plan(name, xlim, ylim, fastest, opacity=0.82):
     placed = lambda outline: (outline - np.array(run["cog_m"][:2])) @ turn_by.T + com
     deck, water = placed(icebreaker.plan()), placed(icebreaker.waterline())
     shape(ax, water, "#F3EFE6", HULL_EDGE, 1.2, zorder=4, alpha=opacity)
-    ax.plot(*np.vstack([water, water[:1]]).T, color=HULL_EDGE, linewidth=1.3, zorder=5)
-    ax.plot(*np.vstack([deck, deck[:1]]).T, color=HULL_EDGE, linewidth=1.0, linestyle=(0, (4, 2)), zorder=5)
+    ax.plot(*np.vstack([water, water[:1]]).T, color=HULL_WATERLINE, linewidth=1.3, zorder=5)
+    ax.plot(*np.vstack([deck, deck[:1]]).T, color=HULL_EDGE, linewidth=1.0, zorder=5)
     ax.set_xlim(*xlim)
     ax.set_ylim(*ylim)
     ax.yaxis.set_major_locator(MultipleLocator(1))

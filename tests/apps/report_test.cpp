@@ -20,7 +20,8 @@ TEST(Report, DrawsTheContactsOfAWindowWithItsMeanForce) {
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_EQ(read_text(folder / "pictures/contacts.png").substr(1, 3), "PNG");
   const std::string svg = read_text(folder / "pictures/contacts.svg");
-  for (const char* said : {"port side", "starboard side", "t = 0.5 ± 0.1 s", "t = 0.8 ± 0.1 s", "N]", "astern"})
+  for (const char* said : {"port side", "starboard side", "t = 0.5 ± 0.1 s", "t = 0.8 ± 0.1 s", "N]", "astern",
+                           "edge of hull or body", "waterline", "edge of ice"})
     EXPECT_NE(svg.find(said), std::string::npos) << said;
 
   const Table vessel(folder / "run/vessel.csv");

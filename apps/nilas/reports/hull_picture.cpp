@@ -87,6 +87,7 @@ struct HullView {
   const char* title;
   const char* data;
   double tilt, turn;
+  const char* key = "";  ///< the name of the waterline, where the panel has a key
 
   /// The unit vector towards the eye.
   Vec3 direction() const {
@@ -198,6 +199,7 @@ Json panels_of(const std::vector<HullView>& views, const Eigen::AlignedBox3d& bo
                       {"turn", views[row].turn},
                       {"zoom", fmt::format("{:.4g}", zoom(box, views[row]))},
                       {"title", views[row].title},
+                      {"key", views[row].key},
                       {"data", views[row].data}});
   return panels;
 }
@@ -242,9 +244,9 @@ void draw_hull(const hull::Hull& hull, double level, const fs::path& folder) {
   const geometry::TriangleMesh drawn = drawable(hull.fluid);
   const std::string parts_title =
       fmt::format("{} convex part{}, from below", hull.parts.size(), hull.parts.size() == 1 ? "" : "s");
-  const std::string water_title = fmt::format("mesh from above; waterline at a draught of {:.4g} m in blue",
-                                              level - geometry::box_of(hull.fluid).min().z());
-  const std::vector<HullView> views{{water_title.c_str(), ".above.dat", 60, 30},
+  const std::string waterline =
+      fmt::format("waterline at a draught of {:.4g} m", level - geometry::box_of(hull.fluid).min().z());
+  const std::vector<HullView> views{{"mesh from above", ".above.dat", 60, 30, waterline.c_str()},
                                     {"mesh from below", ".below.dat", 115, 30},
                                     {parts_title.c_str(), ".parts.dat", 115, 30}};
   {

@@ -1,5 +1,6 @@
 # Draws a hull in several views, a panel for each: the faces in order of depth, then the marks over them in the same
-# place. A prepared hull has a bow, whose label and waterline are drawn; a faulty mesh has open edges and marks.
+# place. A prepared hull has a bow, whose label and waterline are drawn; a faulty mesh has open edges and marks. The
+# waterline is as in the picture of contacts (contacts.gnuplot): solid and blue.
 set terminal pngcairo size {{width}},{{height}} font ',11'
 set output '{{picture}}'
 set multiplot
@@ -28,7 +29,11 @@ splot '{{data}}' using 1:2:3:4 with pm3d lc rgb variable notitle
 set title ' '
 {{#bow}}
 set label 'bow (+x)' at {{x}},{{y}},{{z}} left offset 1,0.8 font ',13' textcolor rgb '#c00000'
-splot '.water.dat' with lines lw 2 lc rgb '#0040ff' notitle
+{{#key}}
+set key at screen 0.98,0.985 right top samplen 2
+{{/key}}
+splot '.water.dat' with lines lw 2 lc rgb '#0040ff' title '{{key}}'
+unset key
 {{/bow}}
 {{^bow}}
 splot '.edges.dat' with lines lw 2 lc rgb '#e00000' notitle, '.marks.dat' with points pt 6 ps 2 lw 2 lc rgb '#e00000' notitle
