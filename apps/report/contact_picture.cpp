@@ -126,7 +126,8 @@ Json axes_of(const ContactPictureInput& input, std::size_t v, bool lowest, doubl
 }
 
 Json panel(const ContactPictureInput& input, std::size_t v, std::size_t w, double row_height, double height) {
-  constexpr double k_scale_from_foot = 82, k_scale_height = 9, k_note_from_foot = 12, k_key_from_foot = 20;  // [px]
+  constexpr double k_scale_from_foot = 82, k_scale_height = 9;    // [px]
+  constexpr double k_note_from_foot = 12, k_key_from_foot = 20;  // [px]
   const View& view = input.views[v];
   const PictureRow& row = input.rows[w];
   const bool lowest = w + 1 == input.rows.size();

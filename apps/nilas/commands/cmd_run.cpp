@@ -351,8 +351,8 @@ void add_run(CLI::App& app, Action& action) {
                       "runs/<scene>-<time>.");
   command
       ->add_option("--threads", options->threads,
-                   "Computes on this many threads. The results do not depend on the number. More threads than free cores "
-                   "make a run slower.")
+                   "Computes on this many threads. The results do not depend on the number. More threads than free "
+                   "cores make a run slower.")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();
   command

@@ -23,9 +23,9 @@ struct RunEnding {
 };
 
 /// The account as lines of at most 80 columns, except for the path. It contains wall-clock and processor time, with a
-/// sentence where the machine was busy with other work, time per phase, the worst solver residual, penetration and energy error, the ice load and tow force over the window, loads on
-/// structures, and the path of the outputs. It also contains the losses of ice that can break, and the horizon of
-/// perturbed runs (`twins`).
+/// sentence where the machine was busy with other work, time per phase, the worst solver residual, penetration and
+/// energy error, the ice load and tow force over the window, loads on structures, and the path of the outputs. It also
+/// contains the losses of ice that can break, and the horizon of perturbed runs (`twins`).
 std::string closing_account(const RunStatistics& statistics, const RunEnding& ending,
                             const std::filesystem::path& outputs, const std::optional<BrokenIce>& ice = {},
                             const TwinStatistics* twins = nullptr, const std::optional<IceLoad>& ice_load = {});

@@ -14,8 +14,8 @@ class StepCosts {
   /// `processor_ms`: processor time of the step on all threads, with that of its outputs.
   void add(const sim::StepRecord& record, double processor_ms);
   /// Whole sentences about why the last quarter of the steps from `first` on takes longer than the first quarter. Empty
-  /// where it takes less than 1.5 times as long, or the run is short. Where the steps waited for the processor, they name
-  /// other work on the machine, and what grew in the scene only where the processor time grew as much too.
+  /// where it takes less than 1.5 times as long, or the run is short. Where the steps waited for the processor, they
+  /// name other work on the machine, and what grew in the scene only where the processor time grew as much too.
   std::string slowdown(std::size_t first) const;
 
   void save(StateWriter out) const;

@@ -115,7 +115,8 @@ TEST(IceLoad, ALoadToTheOtherSideIsPositiveToo) {
   }
   load->tow.reset();
   const std::string text = ice_load_lines(*load, statistics.load_error(nullptr).value());
-  EXPECT_NE(text.find("ice load              30 N +- 0 N forward, 4 N +- 0 N to starboard\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("ice load              30 N +- 0 N forward, 4 N +- 0 N to starboard\n"), std::string::npos)
+      << text;
   EXPECT_NE(text.find("30 N forward at "), std::string::npos) << text;
   EXPECT_NE(text.find(" s, 4 N to starboard: means over 0.04"), std::string::npos) << text;
   EXPECT_NE(text.find("30 N forward in one step"), std::string::npos) << text;

@@ -30,8 +30,8 @@ TEST(Slowdown, NamesWhatGrew) {
   EXPECT_EQ(costs.slowdown(390), "") << "too few steps";
 }
 
-/// A step of 50 ms with 12 ms of work waited for the processor, so its contacts are not to blame. Of 39 ms of work, four
-/// times as much as before, both are causes.
+/// A step of 50 ms with 12 ms of work waited for the processor, so its contacts are not to blame. With 39 ms of work,
+/// about four times as much as before, both are causes.
 TEST(Slowdown, TellsAMachineThatWasBusyFromIce) {
   for (const bool more_work : {false, true}) {
     StepCosts costs;
