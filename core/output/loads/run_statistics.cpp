@@ -63,9 +63,9 @@ void RunStatistics::add(const sim::StepRecord& record, const std::vector<double>
   reactions_.add(record);
   h_ = record.h;
   if (!record.broken.empty()) first_break_ = std::min(first_break_, record.t);
-  constexpr double k_ms_per_s = 1000;
+  constexpr double k_milli = 1e-3;
   const double processor_s = processor_seconds();
-  costs_.add(record, k_ms_per_s * (processor_s - processor_s_));
+  costs_.add(record, 1 / k_milli * (processor_s - processor_s_));
   processor_s_ = processor_s;
   if (!load_series_.empty()) add_vessel(record, vessel_values);
   add_structures(record);

@@ -21,10 +21,10 @@ std::string phase_line(const std::string& name, double ms, long steps, double to
 /// Processor time, and whether the run had to wait for it. On a free machine at least one thread computes at any time,
 /// whatever the number of threads, so the processor time is then at least the wall-clock time.
 std::string processor_lines(const RunEnding& ending) {
-  constexpr double k_waits = 1.5, k_shortest_told_s = 2;  // shorter runs mostly read files
+  constexpr double k_busy_from = 1.5, k_shortest_told_s = 2;  // shorter runs mostly read files
   std::string text = fmt::format("{:<22}{}, {:.3g} x wall-clock\n", "processor time", duration_text(ending.processor_s),
                                  ending.wall_s > 0 ? ending.processor_s / ending.wall_s : 0);
-  if (ending.wall_s > k_shortest_told_s && ending.wall_s > k_waits * ending.processor_s)
+  if (ending.wall_s > k_shortest_told_s && ending.wall_s > k_busy_from * ending.processor_s)
     text += account_line("  busy machine", fmt::format("Other work on this machine, or a slow disk, made the run wait. "
                                                        "On a free machine it takes about {} at most.",
                                                        duration_text(ending.processor_s)));
