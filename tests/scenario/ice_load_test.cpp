@@ -31,14 +31,16 @@ Means means_by_awk(const fs::path& csv, const std::vector<std::string>& settings
   return means;
 }
 
-/// The number behind a label at the start of a line, in newtons.
+/// The load behind a label at the start of a line, in newtons; negative where it is told as forward.
 double printed_newtons(const std::string& text, const std::string& label) {
   const auto at = text.find("\n" + label);
   if (at == std::string::npos) return std::nan("");
   std::istringstream in(text.substr(at + 1 + label.size()));
   double value = 0;
-  std::string unit;
+  std::string unit, rest;
   in >> value >> unit;
+  std::getline(in, rest, ',');
+  if (rest.ends_with(" forward")) value = -value;
   if (unit.rfind("MN", 0) == 0) return 1e6 * value;
   if (unit.rfind("kN", 0) == 0) return 1e3 * value;
   return value;
