@@ -34,7 +34,7 @@ bool separated_by_memory(const bodies::Bodies& bodies, const Part& a, const Part
   return s > margin + k_coordinate_rounding * (a.bounding_radius + b.bounding_radius + between.norm());
 }
 
-using Points = std::vector<ContactPoint>;
+using ContactPoints = std::vector<ContactPoint>;
 
 /// Sorts points by key. Two features of one pair have the same key only if 64 bits collide; then the later key is
 /// raised by one.
@@ -45,7 +45,7 @@ void order_by_key(std::span<ContactPoint> points) {
 }
 
 void primitive_pair(const bodies::Bodies& bodies, const Part& a, const Part& b, double margin, PairMemory& memory,
-                    Points& points) {
+                    ContactPoints& points) {
   const bool a_hosts = a.kind == PartKind::plane || (a.kind != PartKind::sphere && b.kind == PartKind::sphere);
   const Part& host = a_hosts ? a : b;
   const Part& guest = a_hosts ? b : a;
@@ -71,7 +71,7 @@ void primitive_pair(const bodies::Bodies& bodies, const Part& a, const Part& b, 
 /// Returns the depth by which the parts overlap where their contact is left to others [m], else 0.
 double polytope_or_cylinder_pair(const bodies::Bodies& bodies, const Part& a, const Part& b, double margin,
                                  const PairSearch& search, AxisSearchRoom& room, PairMemory& memory,
-                                 AxisSearchCounts& counts, Points& points, bool alone) {
+                                 AxisSearchCounts& counts, ContactPoints& points, bool alone) {
   const PairView pair = view_pair(a, b, pose_of_b_in_a(bodies, a.body, b.body), margin);
   const bool both_faceted = a.facets && b.facets;
   const bool ask_first = search.narrow == NarrowPhase::nilas;
@@ -130,8 +130,8 @@ namespace {
 
 /// Finds contacts by Nilas' own search, for a pair that its memory does not separate.
 PairContacts find_exact_contacts(const bodies::Bodies& bodies, const Part& a, const Part& b, double margin,
-                                 const PairSearch& search, AxisSearchRoom& room, PairMemory& memory, Points& points,
-                                 bool alone) {
+                                 const PairSearch& search, AxisSearchRoom& room, PairMemory& memory,
+                                 ContactPoints& points, bool alone) {
   PairContacts out;
   const auto is_primitive = [](const Part& part) {
     return part.kind == PartKind::sphere || part.kind == PartKind::plane;

@@ -12,8 +12,6 @@ namespace nilas::solvers {
 
 namespace {
 
-constexpr std::initializer_list<Law> k_laws{Law::coulomb, Law::ccp, Law::pyramid_k, Law::frictionless};
-
 /// The inner residual against the outer one at which the shifts are renewed.
 constexpr double k_inner_share = 0.1;
 /// L falls by this factor per iteration, so that it follows the curvature where the iterates are.
@@ -25,7 +23,7 @@ constexpr double k_least_weight = 0.05;
 
 constexpr double k_least_curvature = 1e-12;
 /// Curvature above this multiple of L asks for a larger L; below, the difference is rounding.
-constexpr double k_rounding = 1 + 1e-12;
+constexpr double k_curvature_rounding = 1 + 1e-12;
 
 Eigen::VectorBlock<VecX, 3> segment(VecX& x, int c) { return x.segment<3>(contact::row_of(c)); }
 Vec3 segment(const VecX& x, int c) { return x.segment<3>(contact::row_of(c)); }
@@ -138,7 +136,7 @@ contact::ContactSolution iterate(IslandOperator& island, const VecX& guess, cons
   for (double estimate = island.estimate(r.r, r.u); loop.goes_on(estimate, measured, impulses);) {
     curvature = std::max(k_relax * curvature, k_least_curvature);
     advance(island, y, shift, curvature, next);
-    for (double needed = needed_curvature(island, y, next); needed > curvature * k_rounding;
+    for (double needed = needed_curvature(island, y, next); needed > curvature * k_curvature_rounding;
          needed = needed_curvature(island, y, next)) {
       curvature = std::max(1.1 * needed, 1.5 * curvature);
       advance(island, y, shift, curvature, next);
@@ -165,7 +163,7 @@ contact::ContactSolution ApgdSolver::solve(const contact::PreparedProblem& probl
 
 contact::ContactSolution ApgdSolver::solve(const contact::PreparedProblem& problem, const VecX& guess,
                                            const Budget& budget) const {
-  demand_known("apgd", k_laws, problem.problem().law);
+  demand_known("apgd", k_cone_laws, problem.problem().law);
   demand_no_moments(name(), problem.problem());
   return solve_by_operator(problem, guess, settings_.shared, false, [&](IslandOperator& island, const VecX& start) {
     return iterate(island, start, settings_, budget);
@@ -173,7 +171,7 @@ contact::ContactSolution ApgdSolver::solve(const contact::PreparedProblem& probl
 }
 
 contact::ContactSolution ApgdSolver::solve(const contact::LocalProblem& problem, const VecX& guess) const {
-  demand_known("apgd", k_laws, problem.law);
+  demand_known("apgd", k_cone_laws, problem.law);
   const Budget budget(settings_.shared);
   return solve_by_operator(problem, guess, settings_.shared, [&](IslandOperator& island, const VecX& start) {
     return iterate(island, start, settings_, budget);

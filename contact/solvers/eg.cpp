@@ -14,14 +14,12 @@ namespace nilas::solvers {
 
 namespace {
 
-constexpr std::initializer_list<Law> k_laws{Law::coulomb, Law::ccp, Law::pyramid_k, Law::frictionless};
-
 constexpr double k_accepted_ratio = 0.9;
 constexpr double k_timid_ratio = 0.3;
 constexpr double k_shrink = 2.0 / 3;
 
 /// Steps shorter than this share of 1/d change impulses by less than rounding.
-constexpr double k_least_step = 1e-15;
+constexpr double k_least_rho = 1e-15;
 
 Eigen::VectorBlock<VecX, 3> segment(VecX& x, std::ptrdiff_t c) { return x.segment<3>(3 * c); }
 Vec3 segment(const VecX& x, std::ptrdiff_t c) { return x.segment<3>(3 * c); }
@@ -100,7 +98,7 @@ contact::ContactSolution iterate(IslandOperator& island, const VecX& guess, cons
   for (double estimate = island.estimate(r, u); loop.goes_on(estimate, measured, impulses);) {
     if (ratio < k_timid_ratio) rho /= k_shrink;
     predict();
-    while (ratio > k_accepted_ratio && rho > k_least_step) {
+    while (ratio > k_accepted_ratio && rho > k_least_rho) {
       rho *= k_shrink * std::min(1.0, 1 / ratio);
       predict();
     }
@@ -120,7 +118,7 @@ contact::ContactSolution EgSolver::solve(const contact::PreparedProblem& problem
 
 contact::ContactSolution EgSolver::solve(const contact::PreparedProblem& problem, const VecX& guess,
                                          const Budget& budget) const {
-  demand_known("eg", k_laws, problem.problem().law);
+  demand_known("eg", k_cone_laws, problem.problem().law);
   demand_no_moments(name(), problem.problem());
   EgSettings own = settings_;
   // its own residual is what an order-free solve may look at, and that differs from `measure` by rounding
@@ -131,7 +129,7 @@ contact::ContactSolution EgSolver::solve(const contact::PreparedProblem& problem
 }
 
 contact::ContactSolution EgSolver::solve(const contact::LocalProblem& problem, const VecX& guess) const {
-  demand_known("eg", k_laws, problem.law);
+  demand_known("eg", k_cone_laws, problem.law);
   const Budget budget(settings_.shared);
   return solve_by_operator(problem, guess, settings_.shared, [&](IslandOperator& island, const VecX& start) {
     return iterate(island, start, settings_, budget);

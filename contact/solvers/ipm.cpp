@@ -15,7 +15,7 @@ namespace {
 
 constexpr int k_anderson_depth = 6;
 /// An inner solve need not be better than this share of the outer loop's last change.
-constexpr double k_inner_share = 1e-4;
+constexpr double k_inner_accuracy = 1e-4;
 /// A later round starts this share of the first one's velocities inside the cones: nearer, steps are cut short by the
 /// boundary; farther, the warm start is lost.
 constexpr double k_warm_share = 1e-3;
@@ -74,7 +74,7 @@ contact::ContactSolution solve_rounds(const contact::LocalProblem& island, const
   int failed = 0, round = 0;
   for (; round < settings.max_rounds && best.goes_on(); ++round) {
     if (round > 0) point = inner.shifted(point, std::min(k_warm_share * size, change));
-    const double tolerance = adds_nothing ? least : std::max(k_inner_share * change, least);
+    const double tolerance = adds_nothing ? least : std::max(k_inner_accuracy * change, least);
     const auto convex = inner.minimise(problem.q + added, tolerance, best.left().capped(k_inner_limit), point);
     best.spend(convex.iterations);
     if (!convex.finite) ++failed;

@@ -22,9 +22,9 @@ constexpr double k_good = 0.1, k_middling = 0.5;
 /// A line search demands this share of the fall that the linear model promises.
 constexpr double k_armijo = 1e-4;
 /// Retreats beyond the largest weight before giving up.
-constexpr int k_patience = 3;
+constexpr int k_most_retreats = 3;
 /// |F| that rounding leaves, in units of sqrt(J).
-constexpr double k_rounding = 1e-16;
+constexpr double k_least_size = 1e-16;
 
 /// Impulses with their velocities, the proximal term included, and |F|.
 struct Iterate {
@@ -107,7 +107,7 @@ contact::ContactSolution newton_island(const contact::LocalProblem& island, cons
   int retreats = 0;
   while (best.goes_on()) {
     const VecX u = system.velocities(r);
-    const double before = system.map_size(r, u), target = std::max(settings.inner_share * before, k_rounding);
+    const double before = system.map_size(r, u), target = std::max(settings.inner_share * before, k_least_size);
     const int done = best.iterations();
     const InnerEnd end = solve_inner(system, settings, weight, target, {r, u, 0}, best, note);
     const int taken = best.iterations() - done;
@@ -127,7 +127,7 @@ contact::ContactSolution newton_island(const contact::LocalProblem& island, cons
     } else if (weight *= k_retreat; weight > k_most_weight) {
       weight = 10 * settings.first_weight;
       r = system.scaled(best.impulses());
-      if (++retreats < k_patience) continue;
+      if (++retreats < k_most_retreats) continue;
       if (end.is_singular) best.fail("newton: the linear system stays singular whatever the proximal weight");
       best.stall();
     }

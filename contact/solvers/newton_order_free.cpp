@@ -2,20 +2,20 @@
 
 #include "contact/solvers/eg.h"
 #include "contact/solvers/newton.h"
+#include "contact/solvers/shared/law_cone.h"
 #include "contact/solvers/shared/order_free_velocities.h"
 
 namespace nilas::solvers {
 
 namespace {
 
-constexpr std::initializer_list<Law> k_laws{Law::coulomb, Law::ccp, Law::pyramid_k, Law::frictionless};
 /// Newton's systems then have a condition of 1e8 at most, where nothing else limits it [-].
-constexpr double k_least_weight = 1e-8;
+constexpr double k_least_proximal_weight = 1e-8;
 
 IslandSolve island_solve(const contact::SolverSettings& shared, const Budget& budget) {
   NewtonSettings settings;
   settings.shared = shared;
-  settings.least_weight = k_least_weight;
+  settings.least_weight = k_least_proximal_weight;
   settings.order_free = true;
   return [settings, budget](const contact::LocalProblem& island, const VecX& start) {
     return newton_island(island, start, settings, budget);
@@ -26,7 +26,7 @@ IslandSolve island_solve(const contact::SolverSettings& shared, const Budget& bu
 
 contact::ContactSolution OrderFreeNewtonSolver::solve(const contact::PreparedProblem& problem,
                                                       const VecX& guess) const {
-  demand_known("newton-order-free", k_laws, problem.problem().law);
+  demand_known("newton-order-free", k_cone_laws, problem.problem().law);
   demand_no_moments(name(), problem.problem());
   const Budget budget(shared_);
   const auto newton = [&](const VecX& start) {
@@ -48,7 +48,7 @@ contact::ContactSolution OrderFreeNewtonSolver::solve(const contact::PreparedPro
 }
 
 contact::ContactSolution OrderFreeNewtonSolver::solve(const contact::LocalProblem& problem, const VecX& guess) const {
-  demand_known("newton-order-free", k_laws, problem.law);
+  demand_known("newton-order-free", k_cone_laws, problem.law);
   return solve_islands(problem, guess, island_solve(shared_, Budget(shared_)));
 }
 

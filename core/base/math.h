@@ -2,6 +2,7 @@
 /// Linear-algebra names used throughout. SI units and radians inside; ground frame G has Z up and
 /// still water at z = 0. Monogram letters as in docs/reference/conventions.md (p_GB, R_GB, v_GB, w_GB).
 #include <Eigen/Dense>
+#include <cmath>
 
 namespace nilas {
 
@@ -20,6 +21,12 @@ inline Mat3 skew(const Vec3& a) {
   m << 0, -a.z(), a.y(), a.z(), 0, -a.x(), -a.y(), a.x(), 0;
   return m;
 }
+
+/// Vertical component of the cross product of two horizontal vectors.
+inline double cross2(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+/// The horizontal unit vector at this angle from X towards Y.
+inline Vec2 direction_of(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
 /// Position and orientation of a body frame B in G.
 struct Pose {

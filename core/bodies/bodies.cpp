@@ -21,9 +21,9 @@ int Bodies::add(const BodySpec& spec) {
   NILAS_DEMAND(spec.shape != nullptr);
   NILAS_DEMAND(spec.pose.p.allFinite() && spec.pose.q.coeffs().allFinite() && spec.pose.q.norm() > 0);
   NILAS_DEMAND(spec.v.allFinite() && spec.w.allFinite());
-  const bool moves = spec.motion != Motion::fixed;
-  NILAS_DEMAND(std::isfinite(spec.mass) && (!moves || spec.mass > 0));
-  NILAS_DEMAND(spec.inertia_B.allFinite() && (!moves || geometry::physically_valid_inertia(spec.inertia_B)));
+  const bool can_move = spec.motion != Motion::fixed;
+  NILAS_DEMAND(std::isfinite(spec.mass) && (!can_move || spec.mass > 0));
+  NILAS_DEMAND(spec.inertia_B.allFinite() && (!can_move || geometry::physically_valid_inertia(spec.inertia_B)));
   id.push_back(next_id++);
   name.push_back(spec.name);
   kind.push_back(spec.kind);
@@ -32,7 +32,7 @@ int Bodies::add(const BodySpec& spec) {
   shape.push_back(spec.shape);
   mass.push_back(spec.mass);
   inertia_B.push_back(spec.inertia_B);
-  inertia_inverse_B.push_back(moves ? Mat3(spec.inertia_B.inverse()) : Mat3(Mat3::Zero()));
+  inertia_inverse_B.push_back(can_move ? Mat3(spec.inertia_B.inverse()) : Mat3(Mat3::Zero()));
   p_GB.push_back(spec.pose.p);
   q_GB.push_back(spec.pose.q);
   R_GB.push_back(Mat3::Identity());

@@ -51,6 +51,7 @@ struct Bodies {
 
   int size() const { return static_cast<int>(id.size()); }
   bool is_free(int b) const { return motion[b] == Motion::free; }
+  bool moves(int b) const { return motion[b] != Motion::fixed; }
   /// Appends a body, returns its index; the id is `next_id`, which goes up by one. Throws ContractError when the shape
   /// is missing, a number is not finite, or a body that moves has no positive mass and physically valid inertia.
   int add(const BodySpec& spec);

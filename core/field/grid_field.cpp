@@ -13,9 +13,7 @@ namespace nilas::field {
 
 namespace {
 
-constexpr double k_largest_shear = 80 * k_deg;  ///< limit above which a piece is a needle
-
-void demand(bool holds, const char* parameter, double found, const char* allowed) {
+void demand_of_grid(bool holds, const char* parameter, double found, const char* allowed) {
   if (!holds) throw InputError(fmt::format("grid field: {}: found {}, allowed {}", parameter, found, allowed));
 }
 
@@ -26,15 +24,15 @@ class Grid {
     check();
     const Vec2 side = spec.high - spec.low;
     height_ = (side.y() - (spec.rows - 1) * spec.gap) / spec.rows;
-    demand(height_ > 0, "gap", spec.gap, "less than the region's width over its rows");
+    demand_of_grid(height_ > 0, "gap", spec.gap, "less than the region's width over its rows");
     lean_ = std::tan(spec.shear);
     along_gap_ = spec.gap / std::cos(spec.shear);
     // The sheared rows stay within the region, whose ends keep a notch.
     first_ = spec.low.x() + std::max(0.0, -lean_) * sheared_height();
     const double length = side.x() - std::abs(lean_) * sheared_height();
     width_ = (length - (spec.columns - 1) * along_gap_) / spec.columns;
-    demand(width_ > (spec.stagger ? along_gap_ : 0), "columns", spec.columns,
-           "fewer, or a smaller gap or shear: the pieces have no width left");
+    demand_of_grid(width_ > (spec.stagger ? along_gap_ : 0), "columns", spec.columns,
+                   "fewer, or a smaller gap or shear: the pieces have no width left");
   }
 
   std::vector<std::vector<Vec2>> pieces() const {
@@ -53,12 +51,12 @@ class Grid {
  private:
   void check() const {
     const Vec2 side = spec_.high - spec_.low;
-    demand(side.x() > 0 && std::isfinite(side.x()), "region", side.x(), "a length along X of more than 0 m");
-    demand(side.y() > 0 && std::isfinite(side.y()), "region", side.y(), "a width along Y of more than 0 m");
-    demand(spec_.rows >= 1, "rows", spec_.rows, "1 or more");
-    demand(spec_.columns >= 1, "columns", spec_.columns, "1 or more");
-    demand(spec_.gap >= 0 && std::isfinite(spec_.gap), "gap", spec_.gap, "0 m or more");
-    demand(std::abs(spec_.shear) <= k_largest_shear, "shear_deg", spec_.shear / k_deg, "-80 to 80");
+    demand_of_grid(side.x() > 0 && std::isfinite(side.x()), "region", side.x(), "a length along X of more than 0 m");
+    demand_of_grid(side.y() > 0 && std::isfinite(side.y()), "region", side.y(), "a width along Y of more than 0 m");
+    demand_of_grid(spec_.rows >= 1, "rows", spec_.rows, "1 or more");
+    demand_of_grid(spec_.columns >= 1, "columns", spec_.columns, "1 or more");
+    demand_of_grid(spec_.gap >= 0 && std::isfinite(spec_.gap), "gap", spec_.gap, "0 m or more");
+    demand_of_grid(std::abs(spec_.shear) <= k_largest_shear, "shear_deg", spec_.shear / k_deg, "-80 to 80");
   }
 
   /// Height of the sheared rows on one side of the middle line, without a middle row [m].

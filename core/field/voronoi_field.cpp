@@ -16,8 +16,8 @@ namespace nilas::field {
 
 namespace {
 
-constexpr int k_lloyd_rounds = 10;  ///< cells become compact, but differ in shape
-constexpr double k_area_tolerance = 1e-9;
+constexpr int k_compact_rounds = 10;  ///< cells become compact, but differ in shape
+constexpr double k_area_accuracy = 1e-9;
 
 /// Drawn areas, scaled by one factor (by at most half a floe in total) to sum to `wanted` [m^2].
 std::vector<double> areas_of(const PackedSpec& spec, double wanted) {
@@ -49,7 +49,7 @@ PowerSites first_sites(const std::vector<double>& areas, const FieldBounds& boun
 
 std::vector<PowerCell> cells_of(const std::vector<double>& areas, const FieldBounds& bounds, std::uint64_t seed) {
   PowerSites sites = first_sites(areas, bounds, seed);
-  return cells_with_areas(sites, areas, bounds, k_lloyd_rounds, k_area_tolerance);
+  return cells_with_areas(sites, areas, bounds, k_compact_rounds, k_area_accuracy);
 }
 
 /// The cell shrunk about its centroid to `area` [m^2].
@@ -71,7 +71,7 @@ FieldResult voronoi_field(const PackedSpec& spec) {
   const std::vector<PowerCell> cells = cells_of(areas, bounds, spec.seed);
   double room = 1;
   for (std::size_t i = 0; i < cells.size(); ++i) room = std::min(room, cells[i].area / areas[i]);
-  if (room < 1 - k_area_tolerance)
+  if (room < 1 - k_area_accuracy)
     throw InputError(fmt::format(
         "voronoi field: concentration: found {}, but convex cells beside the keep-out outlines leave room for about "
         "{:.3f}; lower it",

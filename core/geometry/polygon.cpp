@@ -9,8 +9,6 @@ namespace nilas::geometry {
 
 namespace {
 
-double cross2(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
-
 /// p on the closed segment a b.
 bool on_segment(const Vec2& a, const Vec2& b, const Vec2& p) {
   return p.x() >= std::min(a.x(), b.x()) && p.x() <= std::max(a.x(), b.x()) && p.y() >= std::min(a.y(), b.y()) &&

@@ -10,7 +10,6 @@
 namespace nilas::vessel {
 
 std::vector<int> free_axes(const CarriageModel& carriage) {
-  constexpr int k_heave = 5;
   if (carriage.balance == BalanceKind::prismatic) return {k_heave};
   std::vector<int> axes;
   for (int axis = 0; axis < 6; ++axis)

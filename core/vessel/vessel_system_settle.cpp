@@ -11,15 +11,6 @@
 
 namespace nilas::vessel {
 
-namespace {
-
-constexpr int k_roll = 0, k_pitch = 1, k_heave = 5;
-constexpr int k_first_translation = 3;
-/// Share of the weight along a free axis above which the vessel falls or swings instead of resting.
-constexpr double k_unbalanced = 0.01;
-
-}  // namespace
-
 std::vector<int> CarriedVessel::settling_coordinates(bool afloat) const {
   std::vector<int> settling;
   for (int i = 0; i < tree_.size(); ++i) {

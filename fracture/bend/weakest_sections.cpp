@@ -13,17 +13,15 @@ namespace {
 constexpr double k_first = 0.1, k_last = 3;
 constexpr int k_samples = 59;  ///< Steps of 0.05.
 
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
-
 /// The distances from `from` along the unit vector `d` at which the ray's line crosses the weak line [m].
 std::vector<double> crossings(const bodies::WeakLine& line, const Vec2& from, const Vec2& d) {
   std::vector<double> found;
   for (std::size_t i = 0; i + 1 < line.points.size(); ++i) {
     const Vec2 to_start = line.points[i] - from, span = line.points[i + 1] - line.points[i];
-    const double turn = cross(d, span);
+    const double turn = cross2(d, span);
     if (std::abs(turn) <= 1e-12 * span.norm()) continue;
-    const double share = cross(to_start, d) / turn;
-    if (share >= 0 && share <= 1) found.push_back(cross(to_start, span) / turn);
+    const double share = cross2(to_start, d) / turn;
+    if (share >= 0 && share <= 1) found.push_back(cross2(to_start, span) / turn);
   }
   return found;
 }

@@ -14,8 +14,6 @@ namespace nilas::fracture {
 
 namespace {
 
-Vec2 direction_of(double angle) { return {std::cos(angle), std::sin(angle)}; }
-
 /// The sorted distances from `point` at which the line crosses the outline's edges. Their number is even, since
 /// vertices on the line count as left of it. A vertex that the line passes within `resolution` adds two, an end and a
 /// start.

@@ -18,9 +18,6 @@ constexpr double k_beyond = 1e-6;     ///< Distance of the last point from the i
 constexpr double k_look = 1e-3;       ///< Directions that leave the ice within this share of a segment are dropped.
 constexpr int k_most_segments = 100000;
 
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
-Vec2 direction_of(double angle) { return {std::cos(angle), std::sin(angle)}; }
-
 /// A candidate for the next segment of the crack.
 struct Way {
   Vec2 direction = Vec2::UnitX();
@@ -71,7 +68,7 @@ class Growth {
     const double length = std::min(span.norm(), segment_);
     if (length <= same()) return;
     const Vec2 d = span.normalized();
-    const double omega = std::atan2(cross(ahead_, d), ahead_.dot(d));
+    const double omega = std::atan2(cross2(ahead_, d), ahead_.dot(d));
     if (std::abs(omega) >= 0.5 * k_pi - 1e-6) return;
     ways.push_back({d, length, omega, strength * toughness_at(at + 0.5 * length * d)});
   }
@@ -123,9 +120,9 @@ class Growth {
   double meets(const Vec2& at, const Vec2& d, const Vec2& a, const Vec2& b) const {
     constexpr double k_none = std::numeric_limits<double>::infinity();
     const Vec2 span = b - a;
-    const double turn = cross(d, span);
+    const double turn = cross2(d, span);
     if (std::abs(turn) <= 1e-12 * span.norm()) return k_none;
-    const double on = cross(a - at, span) / turn, share = cross(a - at, d) / turn;
+    const double on = cross2(a - at, span) / turn, share = cross2(a - at, d) / turn;
     const double slack = same() / span.norm();
     return on > same() && share >= -slack && share <= 1 + slack ? on : k_none;
   }

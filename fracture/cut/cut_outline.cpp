@@ -35,14 +35,14 @@ bool visits_a_point_twice(const CrackFace& face) {
 
 /// A face with the points that are kept. It begins with its first edge along the outline, else at its point of least x,
 /// then y.
-struct Loop {
+struct FaceLoop {
   int place = std::numeric_limits<int>::max();  ///< Place of its first edge along the outline.
   CutPiece piece;
 };
 
-Loop loop_of(const CrackFace& face, const SnappedLines& lines, const std::vector<char>& left_out) {
+FaceLoop loop_of(const CrackFace& face, const SnappedLines& lines, const std::vector<char>& left_out) {
   struct Corner {
-    int place;  ///< Place of its first edge, as in Loop.
+    int place;  ///< Place of its first edge, as in FaceLoop.
     Vec2 point;
     bool crack;
   };
@@ -57,7 +57,7 @@ Loop loop_of(const CrackFace& face, const SnappedLines& lines, const std::vector
     return std::tuple(a.place, a.point.x(), a.point.y()) < std::tuple(b.place, b.point.x(), b.point.y());
   };
   std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end(), before), corners.end());
-  Loop loop;
+  FaceLoop loop;
   if (!corners.empty()) loop.place = corners.front().place;
   for (const Corner& corner : corners) {
     loop.piece.outline.push_back(corner.point);
@@ -66,7 +66,7 @@ Loop loop_of(const CrackFace& face, const SnappedLines& lines, const std::vector
   return loop;
 }
 
-bool comes_before(const Loop& a, const Loop& b) {
+bool comes_before(const FaceLoop& a, const FaceLoop& b) {
   if (a.place != b.place) return a.place < b.place;
   const Vec2 &p = a.piece.outline.front(), &q = b.piece.outline.front();
   return std::pair(p.x(), p.y()) < std::pair(q.x(), q.y());
@@ -85,14 +85,14 @@ bool is_partition(const std::vector<CutPiece>& pieces, const SnappedLines& lines
 }
 
 std::vector<CutPiece> pieces_of(const CrackFaces& found, const SnappedLines& lines, const std::vector<char>& left_out) {
-  std::vector<Loop> loops;
+  std::vector<FaceLoop> loops;
   for (const CrackFace& face : found.faces) {
     loops.push_back(loop_of(face, lines, left_out));
     if (loops.back().piece.outline.size() < 3) return {};
   }
   std::sort(loops.begin(), loops.end(), comes_before);
   std::vector<CutPiece> pieces;
-  for (Loop& loop : loops) pieces.push_back(std::move(loop.piece));
+  for (FaceLoop& loop : loops) pieces.push_back(std::move(loop.piece));
   return pieces;
 }
 

@@ -15,8 +15,6 @@ namespace {
 
 constexpr int k_max_passes = 16;
 
-double cross2(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
-
 /// The foot of p on the segment a b, as a share of it in [0, 1].
 double foot_share(const Vec2& a, const Vec2& b, const Vec2& p) {
   const Vec2 along = b - a;

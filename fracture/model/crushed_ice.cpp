@@ -13,7 +13,7 @@ namespace {
 /// hull. Faces that turn or back off a little must stay in ice.
 constexpr double k_strip = 0.25, k_strip_of_width = 0.125;
 /// The largest share of the columns that rounding may leave outside an outline [-].
-constexpr double k_rounding = 1e-9;
+constexpr double k_outside_rounding = 1e-9;
 
 using Polygons = std::vector<std::vector<Vec2>>;
 
@@ -107,8 +107,8 @@ std::vector<FloeBreak> Crushing::floes_to_clear(const bodies::Bodies& bodies, Wa
     bool may_part = false;
     for (const Polygons& group : connected(way.crushed.columns)) {
       const ColumnArea columns = column_area(group, shape.outline);
-      if (columns.area <= k_rounding * shape.thickness * shape.thickness) continue;
-      if (columns.outside > k_rounding * columns.area) {
+      if (columns.area <= k_outside_rounding * shape.thickness * shape.thickness) continue;
+      if (columns.outside > k_outside_rounding * columns.area) {
         cut_out.insert(cut_out.end(), group.begin(), group.end());
         for (const auto& column : group) may_part = may_part || times_inside(column, shape.outline) > 1;
       } else if (columns.area * shape.thickness > *clear_volume_) {

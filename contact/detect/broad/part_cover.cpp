@@ -11,7 +11,7 @@ namespace nilas::detect {
 namespace {
 
 /// Parts nearer than this share of the largest one's size touch [-]: vertices of STL files are rounded to 6e-8 of it.
-constexpr double k_touching = 1e-6;
+constexpr double k_near_share = 1e-6;
 /// Share of the rotation from one face's normal to the other's, which gives the directions that stand for those next to
 /// the face [-].
 constexpr double k_beside_face = 1e-4;
@@ -96,15 +96,15 @@ bool is_hidden_edge(const PartCover& cover, const geometry::ConvexPolytope& poly
   return true;
 }
 
-struct Box {
+struct PartBox {
   Vec3 low, high;
-  bool meets(const Box& other, double margin) const {
+  bool meets(const PartBox& other, double margin) const {
     return ((low - other.high).array() <= margin).all() && ((other.low - high).array() <= margin).all();
   }
 };
 
-Box box_of(const geometry::ConvexPolytope& polytope) {
-  Box box{polytope.vertices.front(), polytope.vertices.front()};
+PartBox box_of(const geometry::ConvexPolytope& polytope) {
+  PartBox box{polytope.vertices.front(), polytope.vertices.front()};
   for (const Vec3& v : polytope.vertices) {
     box.low = box.low.cwiseMin(v);
     box.high = box.high.cwiseMax(v);
@@ -112,7 +112,7 @@ Box box_of(const geometry::ConvexPolytope& polytope) {
   return box;
 }
 
-std::shared_ptr<PartCover> cover_of(const std::vector<Part>& parts, const std::vector<Box>& boxes, double tolerance,
+std::shared_ptr<PartCover> cover_of(const std::vector<Part>& parts, const std::vector<PartBox>& boxes, double tolerance,
                                     std::size_t of) {
   auto cover = std::make_shared<PartCover>();
   cover->tolerance = tolerance;
@@ -182,12 +182,12 @@ void PartCover::list_hiding(const Vec3& x, const Vec3& n, std::vector<const Cove
 
 void cover_each_other(std::vector<Part>& parts) {
   if (parts.size() < 2) return;
-  std::vector<Box> boxes;
+  std::vector<PartBox> boxes;
   for (const Part& part : parts) boxes.push_back(box_of(*part.facets->polytope));
   double largest = 0;
   for (const Part& part : parts) largest = std::max(largest, part.bounding_radius);
   std::vector<std::shared_ptr<PartCover>> covers;
-  for (std::size_t i = 0; i < parts.size(); ++i) covers.push_back(cover_of(parts, boxes, k_touching * largest, i));
+  for (std::size_t i = 0; i < parts.size(); ++i) covers.push_back(cover_of(parts, boxes, k_near_share * largest, i));
   for (std::size_t i = 0; i < parts.size(); ++i) {
     if (!covers[i]) continue;
     for (CoveringPart& part : covers[i]->parts) part.own = covers[part.index].get();

@@ -15,8 +15,6 @@ namespace {
 
 /// Largest number of pairs of facing edges up to which all are combined at once (about 2 us).
 constexpr std::size_t k_few_edge_pairs = 500;
-/// The same limit as a last resort (about 100 us).
-constexpr std::size_t k_most_edge_pairs = 20000;
 /// Largest number of steps from one axis to a better one near it; two or three are enough.
 constexpr int k_most_steps = 8;
 

@@ -27,6 +27,9 @@ struct AxisSearchRoom {
 /// FCL's direction counts as the axis itself within a thousandth of a radian [cosine].
 constexpr double k_same_direction = 1 - 5e-7;
 
+/// Largest number of pairs of facing edges up to which all are combined as a last resort (about 100 us).
+constexpr std::size_t k_most_edge_pairs = 20000;
+
 /// The features that made a pair's axis at the last call, where the pair was within the margin and the axis proven.
 struct RememberedAxis {
   AxisKind kind = AxisKind::direction;  ///< `direction` where the pair had no such axis

@@ -12,7 +12,7 @@ namespace nilas::detect {
 
 namespace {
 
-constexpr int k_most_steps = 6;
+constexpr int k_most_cylinder_steps = 6;
 constexpr double k_none = -std::numeric_limits<double>::infinity();
 
 class CylinderSearch {
@@ -175,7 +175,7 @@ class CylinderSearch {
 
   /// Steps from the best axis to exact ones near it.
   void improve() {
-    for (int step = 0; step < k_most_steps; ++step) {
+    for (int step = 0; step < k_most_cylinder_steps; ++step) {
       const double before = best_.s;
       improve_between(side_a(), side_b());
       improve_between(side_b(), side_a());

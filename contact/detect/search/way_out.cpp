@@ -14,8 +14,6 @@ namespace {
 
 /// Number of the axes with the largest separation that are tried.
 constexpr int k_most_tries = 64;
-/// More pairs of edges than this are left out (about 100 us).
-constexpr std::size_t k_most_edge_pairs = 20000;
 
 /// An axis of crossing edges gives way to an exit shorter than this share of its depth. Along the normals of the faces
 /// at a right-angled edge, a crossing leaves by 0.7 of the depth or more.

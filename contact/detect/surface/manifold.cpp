@@ -27,7 +27,7 @@ void lay_over(const SurfaceLoop& a, const SurfaceLoop& b, double tolerance, Faci
 }
 
 /// Supporting edges whose directions differ by less than this sine meet along a length, not at a crossing [-].
-constexpr double k_parallel_sine = 1e-6;
+constexpr double k_along_edges_sine = 1e-6;
 
 /// Keeps once, and as the lower one, each point that two neighbouring faces share. On the seam itself it gets the mean
 /// of both slopes. Equal gaps are put in an order that a mirrored pair shares.
@@ -141,7 +141,7 @@ Vec3 meeting_point(const SupportSet& a, const SupportSet& b) {
     const Vec3 p = in_plane(a.corners[0]), q = in_plane(b.corners[0]);
     const Vec3 along_p = in_plane(a.corners[1]) - p, along_q = in_plane(b.corners[1]) - q;
     const double across = along_p.x() * along_q.y() - along_p.y() * along_q.x();
-    if (std::abs(across) <= k_parallel_sine * along_p.norm() * along_q.norm())
+    if (std::abs(across) <= k_along_edges_sine * along_p.norm() * along_q.norm())
       return p + middle_of_overlap(p, along_p, q, along_q) * along_p;
     const NearestOnSegments nearest = nearest_on_segments(p, along_p, q, along_q);
     return 0.5 * (p + nearest.t * along_p + q + nearest.u * along_q);

@@ -15,9 +15,9 @@ constexpr double k_step_share = 0.99;
 constexpr double k_least_cap = 1e-10;
 /// Steps shorter than this gain less than a factorisation costs.
 constexpr double k_shortest_step = 1e-4;
-/// Iterations without the gap falling to k_fall of its best: rounding has won.
+/// Iterations without the gap falling to k_gap_fall of its best: rounding has won.
 constexpr int k_patience = 5;
-constexpr double k_fall = 0.7;
+constexpr double k_gap_fall = 0.7;
 
 VecX slopes(const MassScaled& problem) {
   VecX slope(3 * problem.num_contacts());
@@ -216,7 +216,7 @@ InteriorPoint::Outcome InteriorPoint::minimise(const VecX& b, double tolerance, 
     keep_inside(now.x, iterate.x);
     keep_inside(now.z, iterate.z);
     const double map = map_of(now);
-    since_fall = gap(now) < k_fall * least_gap ? 0 : since_fall + (step < k_shortest_step ? k_patience : 1);
+    since_fall = gap(now) < k_gap_fall * least_gap ? 0 : since_fall + (step < k_shortest_step ? k_patience : 1);
     least_gap = std::min(least_gap, gap(now));
     if (map <= out.map_m_s) {
       out.map_m_s = map;

@@ -11,7 +11,7 @@ namespace nilas::solvers {
 namespace {
 
 /// Larger differences between W' and its symmetric part, whose mean diagonal is 1, are not rounding.
-constexpr double k_rounding = 1e-14;
+constexpr double k_skew = 1e-14;
 
 }  // namespace
 
@@ -36,7 +36,7 @@ MassScaled mass_scaled(const contact::LocalProblem& island) {
   scaled.q = scaled.q.cwiseProduct(rows);
   const Eigen::SparseMatrix<double> transposed = scaled.w.transpose();
   scaled.symmetric = 0.5 * (scaled.w + transposed);
-  scaled.skew = Eigen::SparseMatrix<double>(scaled.w - scaled.symmetric).coeffs().cwiseAbs().maxCoeff() > k_rounding;
+  scaled.skew = Eigen::SparseMatrix<double>(scaled.w - scaled.symmetric).coeffs().cwiseAbs().maxCoeff() > k_skew;
   return scaled;
 }
 

@@ -11,9 +11,6 @@
 
 namespace nilas::solvers {
 
-/// A row whose inverse mass is below this share of the contact's mean is held by what cannot move; rounding alone gives
-/// the square of 1e-16.
-constexpr double k_immovable_share = 1e-20;
 /// Stands for the mass of what cannot move: any velocity drives the impulse to its bound in one step [kg].
 constexpr double k_immovable_mass = 1e100;
 

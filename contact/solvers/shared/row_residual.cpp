@@ -11,8 +11,6 @@ namespace nilas::solvers {
 
 /// Closing slower than this is rounding where nothing can move [m/s].
 constexpr double k_closing_speed = 1e-9;
-/// A normal held by less than this share of the trace does not yield; rounding alone gives the square of 1e-16.
-constexpr double k_immovable_share = 1e-20;
 
 static const PgsContact& moment_of(const PgsRows& rows, const PgsContact& contact) {
   return rows.contacts[contact.moment];

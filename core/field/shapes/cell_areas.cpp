@@ -10,7 +10,7 @@ namespace nilas::field {
 namespace {
 
 constexpr int k_newton_steps = 30;
-constexpr int k_halvings = 12;
+constexpr int k_step_halvings = 12;
 constexpr double k_smallest_area = 0.2;  ///< share of the smallest relative area that a Newton step must leave
 
 using Sparse = Eigen::SparseMatrix<double>;
@@ -114,7 +114,7 @@ class AreaFit {
     const PowerSites before = sites_;
     const double norm = lacks_.norm();
     double length = 1;
-    for (int k = 0; k < k_halvings; ++k, length *= 0.5) {
+    for (int k = 0; k < k_step_halvings; ++k, length *= 0.5) {
       for (std::size_t i = 0; i < cells_.size(); ++i)
         sites_.weights[i] = before.weights[i] + length * change[static_cast<Eigen::Index>(i)];
       std::vector<PowerCell> cells = power_cells(sites_, bounds_);

@@ -4,12 +4,12 @@ namespace nilas::field {
 
 namespace {
 
-struct Row {
+struct PropertyColumn {
   std::string_view column;
   double FieldFloe::*value;
 };
 
-Row row_of(FloeProperty property) {
+PropertyColumn row_of(FloeProperty property) {
   switch (property) {
     case FloeProperty::thickness:
       return {"thickness_m", &FieldFloe::thickness};

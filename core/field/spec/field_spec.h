@@ -10,6 +10,9 @@
 
 namespace nilas::field {
 
+/// Largest shear of a parallelogram; beyond it floes are needles [rad].
+constexpr double k_largest_shear = 80 * k_deg;
+
 /// One floe of a field, in the still-water plane.
 struct FieldFloe {
   std::vector<Vec2> outline;                               ///< counter-clockwise, in G [m]

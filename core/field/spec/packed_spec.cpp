@@ -11,7 +11,6 @@ namespace nilas::field {
 
 namespace {
 
-constexpr double k_largest_shear = 80 * k_deg;  ///< limit above which a parallelogram is a needle
 constexpr int k_most_vertices = 64;             ///< largest number of vertices of a polygon floe
 
 void demand(bool holds, const char* parameter, double found, const char* allowed) {

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 namespace {
 
 /// Ending of a file that is being replaced; such files remain where a run was killed while writing.
-constexpr const char* k_half_written = ".part";
+constexpr const char* k_half_copied = ".part";
 
 fs::path input_folder(const fs::path& folder) { return folder / scene::k_input_folder; }
 fs::path list_file(const fs::path& folder) { return input_folder(folder) / scene::k_input_sums; }
@@ -58,7 +58,7 @@ bool is_in_place(const fs::path& folder, const scene::InputFile& input) {
   return is_same_file(input.source, folder / input.copy);
 }
 
-void remove_file(const fs::path& path) {
+void remove_copied_file(const fs::path& path) {
   std::error_code error;
   if (is_real_folder(path)) return;
   fs::remove(path, error);
@@ -74,16 +74,16 @@ void remove_empty(const fs::path& folder) {
 void remove_copies(const fs::path& folder, const std::set<fs::path>& copies) {
   std::set<fs::path> folders;
   for (const auto& copy : copies) {
-    remove_file(input_folder(folder) / copy);
-    remove_file(input_folder(folder) / (copy.string() + k_half_written));
+    remove_copied_file(input_folder(folder) / copy);
+    remove_copied_file(input_folder(folder) / (copy.string() + k_half_copied));
     if (copy.has_parent_path()) folders.insert(copy.parent_path());
   }
   for (const auto& one : folders) remove_empty(input_folder(folder) / one);
 }
 
 void remove_list(const fs::path& folder) {
-  remove_file(list_file(folder));
-  remove_file(list_file(folder).string() + k_half_written);
+  remove_copied_file(list_file(folder));
+  remove_copied_file(list_file(folder).string() + k_half_copied);
   remove_empty(input_folder(folder));
 }
 
@@ -134,7 +134,7 @@ bool holds_copies_only(const fs::path& folder) {
   for (fs::recursive_directory_iterator entry(inputs, error), end; !error && entry != end; entry.increment(error)) {
     if (is_real_folder(entry->path())) continue;
     fs::path name = entry->path().lexically_relative(inputs);
-    if (name.extension() == k_half_written) name.replace_extension();
+    if (name.extension() == k_half_copied) name.replace_extension();
     if (name != scene::k_input_sums && copies.count(name) == 0) return false;
   }
   return !error;

@@ -15,7 +15,7 @@ namespace {
 constexpr double k_redraw_interval = 0.1;  // [s]
 constexpr int k_marks = 20;                // plain lines per run: one every 5 %
 /// Tolerance for the rounding of sums of many steps against a whole percent.
-constexpr double k_rounding = 1e-9;
+constexpr double k_percent_rounding = 1e-9;
 
 }  // namespace
 
@@ -80,7 +80,7 @@ std::string progress_text(const RunProgress& progress, int width, bool bar) {
   const std::string left =
       progress.now() > 0 ? duration_text(progress.wall * (progress.t_end - progress.t) / progress.now()) : "?";
   std::string text = fmt::format("{:3.0f} %  {:.2f}/{:g} s  {:.3g} steps/s  {:.3g} x real time  {} left",
-                                 std::floor(k_percent * share + k_rounding), progress.t, progress.t_end, rate,
+                                 std::floor(k_percent * share + k_percent_rounding), progress.t, progress.t_end, rate,
                                  progress.real_time_factor(), left);
   const int cells = std::min(width - static_cast<int>(text.size()) - k_brackets, k_longest_bar);
   if (bar && cells > 1) {
@@ -116,7 +116,7 @@ void Console::progress(double t, long steps) {
     line_->draw(progress_text(state, k_console_columns - 1, true));
     return;
   }
-  const int mark = static_cast<int>(state.share() * k_marks + k_rounding);
+  const int mark = static_cast<int>(state.share() * k_marks + k_percent_rounding);
   if (mark < next_mark_) return;
   next_mark_ = mark + 1;
   out_ << progress_text(state, k_console_columns, false) << std::endl;

@@ -4,16 +4,13 @@
 #include <set>
 
 #include "core/scene/schema/schema.h"
+#include "core/scene/schema/values.h"
 
 namespace nilas::scene {
 
 namespace {
 
-std::string joined(const std::vector<std::string>& names) {
-  std::string s;
-  for (const auto& name : names) s += (s.empty() ? "" : ", ") + name;
-  return s.empty() ? "none" : s;
-}
+std::string listed_or_none(const std::vector<std::string>& names) { return names.empty() ? "none" : joined(names); }
 
 std::string nearest_text(const std::string& near) { return near.empty() ? "" : "; nearest: " + near; }
 
@@ -50,7 +47,7 @@ class DocumentCheck {
     const std::string near = nearest_name(name, valid);
     if (!near.empty()) element.suspects.push_back(near);
     faults_.push_back(fault_at(attribute.place, where_of(element, name),
-                               "unknown attribute; allowed: " + joined(valid) + nearest_text(near)));
+                               "unknown attribute; allowed: " + listed_or_none(valid) + nearest_text(near)));
     return false;
   }
 
@@ -67,7 +64,7 @@ class DocumentCheck {
     std::vector<std::string> built;
     for (const auto& choice : spec.choices)
       if (std::count(spec.not_built.begin(), spec.not_built.end(), choice) == 0) built.push_back(choice);
-    return found + "built: " + joined(built);
+    return found + "built: " + listed_or_none(built);
   }
 
   void check_children(SceneElement& element) {
@@ -100,7 +97,7 @@ class DocumentCheck {
     const std::string home = elsewhere && !elsewhere->parent.empty()
                                  ? "; <" + child.name + "> belongs in <" + elsewhere->parent + ">"
                                  : nearest_text(near);
-    faults_.push_back(fault_of(child, "unknown element here; allowed: " + joined(valid) + home));
+    faults_.push_back(fault_of(child, "unknown element here; allowed: " + listed_or_none(valid) + home));
     return false;
   }
 

@@ -4,7 +4,7 @@
 
 namespace nilas::scene {
 
-static constexpr const char* k_blanks = " \t\r\n";
+static constexpr const char* k_xml_blanks = " \t\r\n";
 
 static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
 
@@ -56,7 +56,7 @@ int SourceColumns::attribute(int line, const std::string& name) {
   if (!l) return 0;
   for (auto at = l->text.find(name, l->cursor); at != std::string::npos; at = l->text.find(name, at + 1)) {
     if (at > 0 && !is_blank(l->text[at - 1])) continue;
-    const auto equals = l->text.find_first_not_of(k_blanks, at + name.size());
+    const auto equals = l->text.find_first_not_of(k_xml_blanks, at + name.size());
     if (equals != std::string::npos && l->text[equals] != '=') continue;
     // Continue after the value, whose text could look like an attribute.
     const auto quote = std::min(l->text.find_first_of("\"'", at), l->text.size());

@@ -7,12 +7,6 @@
 
 namespace nilas::scene {
 
-static std::string joined(const std::vector<std::string>& words) {
-  std::string s;
-  for (const auto& word : words) s += (s.empty() ? "" : ", ") + word;
-  return s;
-}
-
 static std::string count_text(const AttributeSpec& attribute) {
   const int low = attribute.min_count, high = attribute.max_count;
   if (low == high) return std::to_string(low);

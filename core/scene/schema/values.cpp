@@ -57,6 +57,12 @@ std::vector<std::string> split_words(std::string_view text) {
   return words;
 }
 
+std::string joined(const std::vector<std::string>& words) {
+  std::string s;
+  for (const auto& word : words) s += (s.empty() ? "" : ", ") + word;
+  return s;
+}
+
 std::string trimmed(std::string_view text) { return std::string(without_blanks(text)); }
 
 std::string format_number(double x) {
@@ -70,17 +76,17 @@ std::string canonical_value(const AttributeSpec& attribute, const std::string& v
   const bool is_list =
       attribute.type == ValueType::number || attribute.type == ValueType::integer || attribute.type == ValueType::words;
   if (!is_list) return trimmed(value);
-  std::string joined;
+  std::string spelt;
   for (const auto& word : split_words(value)) {
-    if (!joined.empty()) joined += ' ';
+    if (!spelt.empty()) spelt += ' ';
     if (attribute.type == ValueType::number)
-      joined += format_number(parse_number(word).value_or(0));
+      spelt += format_number(parse_number(word).value_or(0));
     else if (attribute.type == ValueType::integer)
-      joined += std::to_string(parse_integer(word).value_or(0));
+      spelt += std::to_string(parse_integer(word).value_or(0));
     else
-      joined += word;
+      spelt += word;
   }
-  return joined;
+  return spelt;
 }
 
 }  // namespace nilas::scene

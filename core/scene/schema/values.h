@@ -17,6 +17,8 @@ std::optional<std::int64_t> parse_integer(std::string_view text);
 std::optional<bool> parse_boolean(std::string_view text);
 /// Blank-separated words.
 std::vector<std::string> split_words(std::string_view text);
+/// The words with commas between them.
+std::string joined(const std::vector<std::string>& words);
 /// The text without blanks around it.
 std::string trimmed(std::string_view text);
 

@@ -7,8 +7,6 @@ namespace nilas::sim {
 
 namespace {
 
-bool moves(const bodies::Bodies& bodies, int b) { return bodies.motion[b] != bodies::Motion::fixed; }
-
 double spin_energy(const Mat3& inertia, const Vec3& w) { return 0.5 * w.dot(inertia * w); }
 
 /// I w at the attitude where the contacts were found, in G.
@@ -21,7 +19,7 @@ Vec3 spin_momentum(const bodies::Bodies& bodies, const contact::StepMotion& moti
 double work(const bodies::Bodies& bodies, const contact::StepMotion& motion, const std::vector<Wrench>& loads) {
   double sum = 0;
   for (int k = 0; k < bodies.size(); ++k) {
-    if (!moves(bodies, k)) continue;
+    if (!bodies.moves(k)) continue;
     const auto b = static_cast<std::size_t>(k);
     sum += loads[b].force.dot(motion.before.v[b] + motion.after.v[b]) +
            loads[b].torque.dot(motion.before.w[b] + motion.after.w[b]);
@@ -92,7 +90,7 @@ void EnergyAccount::velocity_step(const bodies::Bodies& bodies, const contact::S
   }
   kinetic_after_velocity_ = 0;
   for (int k = 0; k < bodies.size(); ++k) {
-    if (!moves(bodies, k)) continue;
+    if (!bodies.moves(k)) continue;
     const auto b = static_cast<std::size_t>(k);
     kinetic_after_velocity_ += 0.5 * bodies.mass[b] * motion.after.v[b].squaredNorm();
     // On a carriage the momenta balance between the two attitudes, so the spin energy takes the mixed form.
@@ -191,7 +189,7 @@ void EnergyAccount::restore(const StateReader& in) {
 double kinetic_energy(const bodies::Bodies& bodies) {
   double sum = 0;
   for (int k = 0; k < bodies.size(); ++k) {
-    if (!moves(bodies, k)) continue;
+    if (!bodies.moves(k)) continue;
     const auto b = static_cast<std::size_t>(k);
     // I_G = R I_B R^T, so the spin energy is that of the angular velocity in body axes.
     const Vec3 w_B = bodies.R_GB[b].transpose() * bodies.w_GB[b];
@@ -203,7 +201,7 @@ double kinetic_energy(const bodies::Bodies& bodies) {
 double weight_energy(const bodies::Bodies& bodies, const Vec3& gravity) {
   double sum = 0;
   for (int k = 0; k < bodies.size(); ++k)
-    if (moves(bodies, k)) sum -= bodies.mass[k] * gravity.dot(bodies.p_GB[k]);
+    if (bodies.moves(k)) sum -= bodies.mass[k] * gravity.dot(bodies.p_GB[k]);
   return sum;
 }
 
@@ -227,7 +225,7 @@ MomentumBalance momentum_balance(const bodies::Bodies& bodies, const contact::St
     balance.angular_scale += moment.norm();
   };
   for (int k = 0; k < bodies.size(); ++k) {
-    if (!moves(bodies, k)) continue;
+    if (!bodies.moves(k)) continue;
     const auto b = static_cast<std::size_t>(k);
     Vec3 spin = spin_momentum(bodies, motion, b, motion.after.w[b] - motion.before.w[b]);
     if (k == vessel.index && vessel.on_carriage)
@@ -251,8 +249,8 @@ MomentumBalance momentum_balance(const bodies::Bodies& bodies, const contact::St
   for (std::size_t i = 0; i < motion.points.size(); ++i) {
     const detect::ContactPoint& c = motion.points[i];
     const Vec3 couple = motion.couples.empty() ? Vec3(Vec3::Zero()) : motion.couples[i];
-    if (moves(bodies, c.b)) add(c.p, motion.impulses[i], couple, -1);
-    if (moves(bodies, c.a)) add(c.p, -motion.impulses[i], -couple, -1);
+    if (bodies.moves(c.b)) add(c.p, motion.impulses[i], couple, -1);
+    if (bodies.moves(c.a)) add(c.p, -motion.impulses[i], -couple, -1);
   }
   balance.linear = linear.norm();
   balance.angular = angular.norm();

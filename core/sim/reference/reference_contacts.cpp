@@ -25,12 +25,10 @@ constexpr double k_probe = 1e-5;
 /// Reverse slip above this speed ends a state that began at rest; below it is rounding [m/s].
 constexpr double k_slip_slack = 1e-11;
 
-bool moves(const bodies::Bodies& bodies, int k) { return bodies.motion[k] != bodies::Motion::fixed; }
-
 double probe_time(const bodies::Bodies& bodies) {
   double rate = 0;
   for (int k = 0; k < bodies.size(); ++k) {
-    if (!moves(bodies, k)) continue;
+    if (!bodies.moves(k)) continue;
     const auto b = static_cast<std::size_t>(k);
     rate = std::max({rate, bodies.w_GB[b].norm(), bodies.v_GB[b].norm() / bodies.shape[b]->bounding_radius});
   }
@@ -70,7 +68,7 @@ class KeptPoses {
 /// Moves all bodies over `time` [s] with their present velocities.
 void go_on(bodies::Bodies& bodies, double time) {
   for (int k = 0; k < bodies.size(); ++k) {
-    if (!moves(bodies, k)) continue;
+    if (!bodies.moves(k)) continue;
     const auto b = static_cast<std::size_t>(k);
     bodies.set_pose(k, bodies.p_GB[b] + time * bodies.v_GB[b],
                     bodies::exponential(time * bodies.w_GB[b]) * bodies.q_GB[b]);
@@ -91,7 +89,7 @@ std::vector<Vec6> free_accelerations(const bodies::Bodies& bodies, const bodies:
   if (vessel == nullptr) return rates;
   const VecX accelerations = vessel->accelerations(loads);
   for (int k = vessel->hull(); vessel->holds(k); ++k)
-    if (moves(bodies, k)) rates[k] = vessel->twist_rate(k, accelerations);
+    if (bodies.moves(k)) rates[k] = vessel->twist_rate(k, accelerations);
   return rates;
 }
 
@@ -286,7 +284,7 @@ AccelerationProblem SustainedContacts::pose(bodies::Bodies& bodies, const bodies
 Vec3 SustainedContacts::vessel_bias(const bodies::Bodies& bodies, const detect::ContactPoint& c, const Mat3& C) const {
   Vec3 sum = Vec3::Zero();
   for (const auto& [body, sign] : {std::pair(c.a, -1.0), std::pair(c.b, 1.0)}) {
-    if (!vessel_->holds(body) || !moves(bodies, body)) continue;
+    if (!vessel_->holds(body) || !bodies.moves(body)) continue;
     const Vec6 bias = vessel_->bias(body);
     sum += sign * (bias.head<3>() + bias.tail<3>().cross(c.p - bodies.p_GB[body]));
   }

@@ -17,7 +17,13 @@ std::vector<int> free_coordinates(const CarriageModel& carriage);
 /// vessel.
 std::vector<TreeCell> carriage_cells(const CarriageModel& carriage);
 
-/// Axes 0..5 of rotation and translation that the joint leaves free; the scene names translations first.
+/// Axes 0..5 of a carriage's joint: three of rotation, then three of translation.
+constexpr int k_roll = 0, k_pitch = 1, k_heave = 5;
+constexpr int k_first_translation = 3;
+/// Share of the weight along a free axis above which the vessel falls or swings instead of resting.
+constexpr double k_unbalanced = 0.01;
+
+/// Axes that the joint leaves free; the scene names translations first.
 std::vector<int> free_axes(const CarriageModel& carriage);
 
 /// A vessel on a carriage. Coordinates q: those of the tree's joint. Speeds u: their rates; along stiff coordinates the

@@ -15,10 +15,6 @@ namespace nilas::vessel {
 
 namespace {
 
-constexpr int k_roll = 0, k_pitch = 1, k_heave = 5;
-constexpr int k_first_translation = 3;
-/// Share of the weight along a free coordinate above which the vessel moves instead of resting.
-constexpr double k_unbalanced = 0.01;
 /// Restoring stiffness of a part below which it counts as zero [share of weight times lever per radian, or weight per
 /// length].
 constexpr double k_restoring = 1e-6;
