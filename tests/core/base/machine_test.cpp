@@ -6,7 +6,7 @@
 #include <thread>
 
 namespace nilas {
-namespace {
+namespace machine_test {
 
 using Clock = std::chrono::steady_clock;
 
@@ -26,5 +26,5 @@ TEST(ProcessorSeconds, CountsWorkAndNotWaiting) {
   EXPECT_GE(processor_seconds() - start - waited, 0.1) << "of another thread";
 }
 
-}  // namespace
+}  // namespace machine_test
 }  // namespace nilas

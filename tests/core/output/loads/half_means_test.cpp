@@ -5,7 +5,7 @@
 #include "core/base/random.h"
 
 namespace nilas::output {
-namespace {
+namespace half_means_test {
 
 /// `steps` values about 10 with deviations of up to 1, and `rise` more in the second half.
 std::vector<double> noisy(std::size_t steps, double rise) {
@@ -46,5 +46,5 @@ TEST(HalfMeans, AreNotKnownOfFewSteps) {
   }
 }
 
-}  // namespace
+}  // namespace half_means_test
 }  // namespace nilas::output

@@ -180,5 +180,5 @@ TEST(ClosingAccount, NamesWhatMissedItsGoal) {
       << text;
 }
 
-}  // namespace
+}  // namespace console_test
 }  // namespace nilas::output
