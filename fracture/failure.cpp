@@ -85,7 +85,7 @@ IcePlate FailureRules::plate(const IceAtContact& ice) const {
 }
 
 BendingState FailureRules::bending_state(const std::vector<Vec2>& outline, const EdgeContact& contact,
-                                         const IceAtContact& ice) const {
+                                         const IceAtContact& ice, double least) const {
   const IcePlate sheet = plate(ice);
   const double P = std::abs(contact.force.z()), h = ice.thickness;
   const double l_sheet = characteristic_length(sheet), l_wedge = beam_characteristic_length(sheet);
@@ -97,7 +97,7 @@ BendingState FailureRules::bending_state(const std::vector<Vec2>& outline, const
   state.radial = P / radial_crack_load(edge_, b, l_sheet, h, ice.flexural_strength);
   state.wedges =
       P / wedges_failure_load(wedge_, a_over_l, state.fan.wedge_angle, state.fan.wedges, h, ice.flexural_strength);
-  if (state.radial < 1 || !curves(ice)) return state;
+  if (state.radial < least || !curves(ice)) return state;
   WeakestSections weakest = weakest_sections(state.fan, a_over_l, ice.flexural_strength, *ice.around);
   state.wedges /= weakest.strength;
   state.radii = std::move(weakest.radii);
@@ -170,7 +170,7 @@ std::vector<Failure> FailureRules::failures(const std::vector<Vec2>& outline, co
   std::vector<Failure> found;
   // Such a load is in the middle of the ice, not on its edge.
   if (contact.from_edge > link(ice) + 0.5 * contact.depth) return found;
-  const BendingState state = bending_state(outline, contact, ice);
+  const BendingState state = bending_state(outline, contact, ice, least);
   if (settings_.splitting == SplittingModel::geometric)
     if (auto split = geometric_split(outline, contact, state, ice, least)) found.push_back(std::move(*split));
   if (settings_.splitting == SplittingModel::lefm)

@@ -234,6 +234,17 @@ TEST(Failure, CurvedCracksInIceThatIsAlikeAreStraight) {
   }
 }
 
+/// Ice with a weak half ring of half the strength around the load, of eight chords that touch this radius.
+LocalIce ringed(double radius) {
+  bodies::WeakLine ring{{}, 0.5};
+  for (int k = 0; k <= 8; ++k)
+    ring.points.emplace_back(radius / std::cos(k_pi / 16) * std::cos(k_pi * k / 8),
+                             radius / std::cos(k_pi / 16) * std::sin(k_pi * k / 8));
+  LocalIce around;
+  around.weak_lines = {ring};
+  return around;
+}
+
 /// Weak lines cross all wedges at their breaking length, or follow the splitting crack: both loads fall in proportion
 /// to the remaining strength.
 TEST(Failure, WeakLinesLowerTheLoad) {
@@ -244,12 +255,7 @@ TEST(Failure, WeakLinesLowerTheLoad) {
   EdgeContact contact = load(1e6);
   contact.opening = 4e5;
   const BendingState whole = rules.bending_state(k_sheet, contact, ice());
-  LocalIce around;
-  bodies::WeakLine ring{{}, 0.5};
-  for (int k = 0; k <= 8; ++k)
-    ring.points.emplace_back(whole.radius / std::cos(k_pi / 16) * std::cos(k_pi * k / 8),
-                             whole.radius / std::cos(k_pi / 16) * std::sin(k_pi * k / 8));
-  around.weak_lines = {ring};
+  LocalIce around = ringed(whole.radius);
   IceAtContact weak = ice();
   weak.around = &around;
   const BendingState state = rules.bending_state(k_sheet, contact, weak);
@@ -259,5 +265,26 @@ TEST(Failure, WeakLinesLowerTheLoad) {
               4 * rules.splitting_state(k_sheet, contact, ice())->ratio, 1e-6);
 }
 
-}  // namespace failure_test
+/// Damaged ice fails at a share of its strength. It then breaks along the same weak lines as whole ice does at its
+/// strength, and all ratios are proportional to the load.
+TEST(Failure, WeakLinesLowerTheLoadOfDamagedIceToo) {
+  FailureSettings settings = bending();
+  settings.curved = true;
+  const FailureRules rules(settings);
+  const BendingState at_one = rules.bending_state(k_sheet, load(1), ice());
+  const double P = 0.8 / at_one.radial;
+  const LocalIce around = ringed(at_one.radius);
+  IceAtContact weak = ice();
+  weak.around = &around;
+  constexpr double k_share = 0.3;
+  ASSERT_LT(P * at_one.wedges, k_share) << "without the weak line this load would not break the wedges";
+  const auto damaged = rules.failures(k_sheet, load(P), weak, k_share);
+  const auto whole = rules.failures(k_sheet, load(2 * P), weak, k_share);
+  ASSERT_EQ(damaged.size(), 1u);
+  ASSERT_EQ(whole.size(), 1u);
+  EXPECT_DOUBLE_EQ(2 * damaged[0].ratio, whole[0].ratio);
+  EXPECT_EQ(damaged[0].cracks, whole[0].cracks);
+}
+
+}  // namespace
 }  // namespace nilas::fracture
