@@ -33,12 +33,13 @@ bool prismatic(const HullMeasures& m) {
 int longer(const HullMeasures& m, int a, int b) { return m.size()[b] > m.size()[a] ? b : a; }
 
 /// Axes with forward along `forward` and port along `port`, in the directions that the shape indicates; otherwise as
-/// drawn or along the axis.
-MeshAxes directed(const geometry::TriangleMesh& mesh, int forward, int port) {
+/// drawn or along the axis. A fixed solid without a bow may be a foundation, which has its level face below.
+MeshAxes directed(const geometry::TriangleMesh& mesh, int forward, int port, bool fixed) {
   MeshAxes axes{{forward, 1}, {3 - forward - port, 1}};
   const HullMeasures m = measure_hull(turned(mesh, axes));
-  if (deck_direction(m) < 0) axes.up.sign = -1;
-  if (bow_direction(m) < 0) axes.forward.sign = -1;
+  const int bow = bow_direction(m);
+  if (deck_direction(m) < 0 && (!fixed || bow != 0)) axes.up.sign = -1;
+  if (bow < 0) axes.forward.sign = -1;
   return axes;
 }
 
@@ -69,7 +70,7 @@ std::optional<HullAttitude> by_symmetry(const geometry::TriangleMesh& mesh, cons
   constexpr double k_wall = 1.5;
   if (lying->port == 2 && prismatic(m) && (fixed || m.size().z() < k_wall * m.size().y())) return std::nullopt;
   if (lying->forward == 2 && (fixed || prismatic(m))) return std::nullopt;
-  return HullAttitude{directed(mesh, lying->forward, lying->port), AttitudeSign::symmetry};
+  return HullAttitude{directed(mesh, lying->forward, lying->port, fixed), AttitudeSign::symmetry};
 }
 
 /// Attitude from the side lengths of a floating solid that is symmetric about y = const, where they do not fit a ship
@@ -78,7 +79,7 @@ std::optional<HullAttitude> by_slenderness(const geometry::TriangleMesh& mesh, c
   const Vec3 size = m.size();
   constexpr double k_broad = 1.5, k_high = 1.5, k_long = 2, k_very_broad = 2.5, k_longer = 1.2;
   const auto lies = [&](int forward, int port) {
-    return HullAttitude{directed(mesh, forward, port), AttitudeSign::slender};
+    return HullAttitude{directed(mesh, forward, port, false), AttitudeSign::slender};
   };
   if (symmetric(m, 0) && size.y() > k_broad * size.x() && size.y() > size.z())
     return lies(1, symmetric(m, 2) && size.z() > k_high * size.x() ? 2 : 0);

@@ -27,7 +27,8 @@ int bow_direction(const HullMeasures& measures);
 
 /// The probable attitude. Hulls that are round, square or as long as broad keep theirs. For a `fixed` structure, bow
 /// and stern as well as top and bottom stay, unless its plane of symmetry shows that it lies across: foundations widen
-/// downwards, and piers stand upright. The mesh must be closed and outward.
+/// downwards, and piers stand upright. One that lies across has its bow as the ends show it, and its deck as the faces
+/// show it if it has a bow. The mesh must be closed and outward.
 HullAttitude probable_attitude(const geometry::TriangleMesh& mesh, bool fixed);
 
 }  // namespace nilas::hull

@@ -174,6 +174,15 @@ TEST(HullAttitude, AFixedShipThatLiesAcrossIsDoubtedToo) {
   EXPECT_EQ(probable_attitude(turned(coaster(), {{1, -1}, {2, 1}}), true).axes, across);
 }
 
+/// A foundation whose drawing has y up keeps its wide foot below. A floating body of that form is the other way up: its
+/// level face is the deck.
+TEST(HullAttitude, AFoundationThatLiesAcrossKeepsItsFootBelow) {
+  const geometry::TriangleMesh drawn = turned(cone_foundation(20, 8, 15), {{1, 1}, {0, 1}});
+  const auto up = [&](bool fixed) { return probable_attitude(drawn, fixed).axes.up; };
+  EXPECT_EQ(up(true), (MeshAxis{1, 1}));
+  EXPECT_EQ(up(false), (MeshAxis{1, -1}));
+}
+
 TEST(HullAxes, AreThoseOfARightHandedFrame) {
   for (const MeshAxes& axes : all_attitudes()) {
     EXPECT_NEAR(axes.to_vessel().determinant(), 1, 1e-15) << axes.forward.name() << axes.up.name();
