@@ -31,6 +31,8 @@ void CrushedDepth::hand_on(std::int64_t floe, std::int64_t piece, const Vec2& pl
     const CrushedPlane moved{plane.normal, plane.offset - plane.normal.dot(shift), plane.place - shift};
     for (int k = 0; k < parts; ++k) {
       const auto [there, is_new] = of_piece.try_emplace({face.hull, piece, face.face, k}, moved);
+      // The offset is the depth at the piece's centre. Planes of one face have the same normal unless it turned between
+      // the parts; then the plane that stays may be the less deep one at the face, and ice there is crushed again.
       if (!is_new && moved.offset > there->second.offset) there->second = moved;
     }
   }

@@ -37,7 +37,7 @@ class CrushedDepth {
   void forget_others();
 
   /// Gives a piece of the floe, whose frame is moved to `place` [m], the memory of the floe. In each of its convex
-  /// `parts` every face of a hull has the deepest plane that it had in the floe.
+  /// `parts` every face of a hull has the deepest plane that it had in the floe, at the place of the piece's centre.
   void hand_on(std::int64_t floe, std::int64_t piece, const Vec2& place, int parts);
 
   void save(StateWriter out) const;
