@@ -42,10 +42,6 @@ int Bodies::add(const BodySpec& spec) {
   return size() - 1;
 }
 
-void Bodies::set_material(int b, const std::string& material_name) {
-  material[b] = number_of(material_name, materials);
-}
-
 std::size_t Bodies::index_of(std::int64_t body_id) const {
   const auto found = std::lower_bound(id.begin(), id.end(), body_id);
   NILAS_DEMAND(found != id.end() && *found == body_id);

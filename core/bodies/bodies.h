@@ -56,8 +56,6 @@ struct Bodies {
   /// is missing, a number is not finite, or a body that moves has no positive mass and physically valid inertia.
   int add(const BodySpec& spec);
   const std::string& material_name(int b) const { return materials[material[b]]; }
-  /// Gives a body another material.
-  void set_material(int b, const std::string& material_name);
   /// Index of the body with this id. Throws ContractError where there is none.
   std::size_t index_of(std::int64_t body_id) const;
   /// Removes bodies; the others keep their order. `gone`: one entry per body, true for those to remove.

@@ -13,10 +13,11 @@ namespace nilas::contact {
 namespace assemble_test {
 
 int add_floe(bodies::Bodies& bodies, const Vec3& p, const Vec3& v, const Vec3& w,
-             bodies::Motion motion = bodies::Motion::free, const Quat& q = Quat::Identity()) {
+             bodies::Motion motion = bodies::Motion::free, const Quat& q = Quat::Identity(),
+             const std::string& material = "ice") {
   bodies::BodySpec spec;
   spec.shape = std::make_shared<geometry::Shape>();
-  spec.material = "ice";
+  spec.material = material;
   spec.motion = motion;
   spec.mass = 100 + 10 * bodies.size();
   spec.inertia_B = Vec3(20, 30, 45).asDiagonal();
@@ -50,10 +51,11 @@ struct TwoFloes {
   FrictionTable friction = ice_friction();
   AssemblySettings settings{.h = 0.01};
 
-  TwoFloes() {
+  explicit TwoFloes(const std::string& material_of_second = "ice") {
     add_floe(bodies, Vec3(-9, 0, 0), Vec3(1, 1, 1), Vec3(1, 1, 1));
     add_floe(bodies, Vec3(0, 0, 0), Vec3(1, 2, 3), Vec3(0.1, 0.2, 0.3));
-    add_floe(bodies, Vec3(2, 0, 0), Vec3(-1, 0, 0), Vec3(0, 0, -0.5));
+    add_floe(bodies, Vec3(2, 0, 0), Vec3(-1, 0, 0), Vec3(0, 0, -0.5), bodies::Motion::free, Quat::Identity(),
+             material_of_second);
     add_floe(bodies, Vec3(9, 0, 0), Vec3(1, 1, 1), Vec3(1, 1, 1));
     free[1] = {Vec3(10, 20, 30), Vec3(1, 2, 3)};
   }
@@ -259,8 +261,9 @@ TEST(Assemble, BodiesOfOneSystemShareABlock) {
 
 TEST(Assemble, EachPairHasItsOwnFriction) {
   bodies::Bodies bodies;
-  for (int k = 0; k < 3; ++k) add_floe(bodies, Vec3(k, 0, 0), Vec3::Zero(), Vec3::Zero());
-  bodies.set_material(2, "steel");
+  for (int k = 0; k < 3; ++k)
+    add_floe(bodies, Vec3(k, 0, 0), Vec3::Zero(), Vec3::Zero(), bodies::Motion::free, Quat::Identity(),
+             k < 2 ? "ice" : "steel");
   FrictionTable friction = ice_friction();
   FrictionPair rolling{0.5, 0.4, 0};
   rolling.rolling = 0.01;
@@ -280,8 +283,7 @@ TEST(Assemble, EachPairHasItsOwnFriction) {
 }
 
 TEST(Assemble, UnnamedMaterialsAreFrictionless) {
-  TwoFloes scene;
-  scene.bodies.set_material(2, "rubber");
+  TwoFloes scene("rubber");
   EXPECT_EQ(scene.assemble(0).problem.mu[0], 0);
 }
 

@@ -73,8 +73,8 @@ inline void add_body(bodies::Bodies& bodies, const std::string& name, bodies::Bo
   bodies.name.push_back(name);
   bodies.kind.push_back(kind);
   bodies.motion.push_back(motion);
+  bodies.materials = {"ice"};
   bodies.material.push_back(0);
-  bodies.set_material(static_cast<int>(b), "ice");
   bodies.shape.push_back(std::make_shared<const geometry::Shape>(shape));
   bodies.mass.push_back(mass);
   bodies.inertia_B.emplace_back(Mat3::Identity());
