@@ -1,5 +1,6 @@
 #pragma once
 /// Every element that this version builds, with values that differ from the defaults; and the files it names.
+#include <algorithm>
 #include <string>
 
 #include "tests/core/scene/scene_files.h"
@@ -74,5 +75,13 @@ inline const char* const k_complete_scene = R"(<?xml version="1.0" encoding="UTF
   <body name="quay" shape="mesh" mesh="quay.stl" material="quay" fixed="true"/>
 </scene>
 )";
+
+/// The line of the complete scene in which this text stands first; 0 where it has none.
+inline int line_of(const std::string& text) {
+  const std::string scene = k_complete_scene;
+  const auto at = scene.find(text);
+  if (at == std::string::npos) return 0;
+  return 1 + static_cast<int>(std::count(scene.begin(), scene.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
+}
 
 }  // namespace nilas::testing

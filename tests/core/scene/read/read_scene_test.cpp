@@ -153,7 +153,7 @@ TEST_F(CompleteScene, GridAndSingleFloe) {
   EXPECT_EQ(floe.velocity, Vec3(0, 0.1, 0));
   EXPECT_EQ(floe.z, -0.01);
   EXPECT_EQ(floe.thickness, 0.07);
-  EXPECT_EQ(floe.line, 44);
+  EXPECT_EQ(floe.line, testing::line_of("<floe name=\"big\""));
 }
 
 TEST_F(CompleteScene, Bodies) {
@@ -167,7 +167,7 @@ TEST_F(CompleteScene, Bodies) {
   EXPECT_EQ(box.rotation_deg, Vec3(10, 20, 30));
   EXPECT_EQ(box.velocity, Vec3(1, 0, 0));
   EXPECT_EQ(box.angular_velocity, Vec3(0, 0, 1));
-  EXPECT_EQ(box.line, 49);
+  EXPECT_EQ(box.line, testing::line_of("<body name=\"box\""));
   EXPECT_EQ(std::get<SphereScene>(scene_.bodies[1].shape).radius, 0.25);
   EXPECT_EQ(scene_.bodies[1].density, 500);
   EXPECT_EQ(std::get<CylinderScene>(scene_.bodies[2].shape).height, 4);
