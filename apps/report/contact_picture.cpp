@@ -126,7 +126,7 @@ Json axes_of(const ContactPictureInput& input, std::size_t v, bool lowest, doubl
 }
 
 Json panel(const ContactPictureInput& input, std::size_t v, std::size_t w, double row_height, double height) {
-  constexpr double k_scale_from_foot = 82, k_scale_height = 9;    // [px]
+  constexpr double k_scale_from_foot = 82, k_scale_height = 9;   // [px]
   constexpr double k_note_from_foot = 12, k_key_from_foot = 20;  // [px]
   const View& view = input.views[v];
   const PictureRow& row = input.rows[w];
@@ -142,9 +142,8 @@ Json panel(const ContactPictureInput& input, std::size_t v, std::size_t w, doubl
   panel["water"] = water_name(v, w);
   panel["colour_scale"] = nullptr;
   if (lowest && view.is_plan())
-    panel["colour_scale"] = {{"origin", k_scale_from_foot / height},
-                             {"size", k_scale_height / height},
-                             {"key", k_key_from_foot / height}};
+    panel["colour_scale"] = {
+        {"origin", k_scale_from_foot / height}, {"size", k_scale_height / height}, {"key", k_key_from_foot / height}};
   panel["left_out"] = nullptr;
   if (w == 0 && v == 0 && !input.frame.left_out.empty())  // every panel would draw it again
     panel["left_out"] = {{"text", input.frame.left_out}, {"place", k_note_from_foot / height}};

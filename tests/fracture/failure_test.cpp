@@ -286,5 +286,5 @@ TEST(Failure, WeakLinesLowerTheLoadOfDamagedIceToo) {
   EXPECT_EQ(damaged[0].cracks, whole[0].cracks);
 }
 
-}  // namespace
+}  // namespace failure_test
 }  // namespace nilas::fracture

@@ -11,7 +11,7 @@ namespace nilas::field {
 
 namespace {
 
-constexpr int k_most_vertices = 64;             ///< largest number of vertices of a polygon floe
+constexpr int k_most_vertices = 64;  ///< largest number of vertices of a polygon floe
 
 void demand(bool holds, const char* parameter, double found, const char* allowed) {
   if (!holds) throw InputError(fmt::format("ice field: {}: found {}, allowed {}", parameter, found, allowed));

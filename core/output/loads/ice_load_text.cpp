@@ -51,9 +51,9 @@ std::string peak_lines(const IceLoad& load, const LoadSides& sides_along, const 
   const Peak &along = load.along.peak, &across = load.across.peak;
   const bool turned = along.raw < 0 && sides_along.negative != nullptr;
   std::string text =
-      account_line("  filtered peak", fmt::format("{} at {:.5g} s, {}: means over {:.2g} s",
-                                                  sided_force(along.filtered, sides_along), along.filtered_time,
-                                                  sided_force(across.filtered, sides_across), load.filter));
+      account_line("  filtered peak",
+                   fmt::format("{} at {:.5g} s, {}: means over {:.2g} s", sided_force(along.filtered, sides_along),
+                               along.filtered_time, sided_force(across.filtered, sides_across), load.filter));
   text += account_line(
       "  raw peak",
       fmt::format("{} in one step, at {:g} s; the impact around it lasts {:.2g} s and has an impulse of {:.3g} "
@@ -73,11 +73,11 @@ std::string peak_lines(const IceLoad& load, const LoadSides& sides_along, const 
 std::string halves_line(const ComponentLoad& load, const LoadSides& sides) {
   if (!load.halves || !load.halves->differ()) return "";
   const HalfMean &first = load.halves->first, &second = load.halves->second;
-  return account_line("  not steady",
-                      fmt::format("The mean was {} over the first half of the window and {} over the second. Either "
-                                  "the load still changes or the window holds too little ice: run longer.",
-                                  with_error(first.mean, first.half_width, sides),
-                                  with_error(second.mean, second.half_width, sides)));
+  return account_line(
+      "  not steady",
+      fmt::format("The mean was {} over the first half of the window and {} over the second. Either "
+                  "the load still changes or the window holds too little ice: run longer.",
+                  with_error(first.mean, first.half_width, sides), with_error(second.mean, second.half_width, sides)));
 }
 
 std::string error_text(const LoadError& error) {
@@ -147,10 +147,9 @@ std::string ice_load_lines(const IceLoad& load, const LoadError& error) {
     text = account_line("ice load", "none: no ice pressed on the hull in the window");
     text += account_line("  window", window_text(load));
   } else {
-    text = account_line("ice load",
-                        fmt::format("{}, {}{}", mean_text(load.along, k_astern, error.solver_at_least),
-                                    mean_text(load.across, k_to_port, error.solver_at_least),
-                                    error.from_twins ? "; means over the run and its perturbed runs" : ""));
+    text = account_line("ice load", fmt::format("{}, {}{}", mean_text(load.along, k_astern, error.solver_at_least),
+                                                mean_text(load.across, k_to_port, error.solver_at_least),
+                                                error.from_twins ? "; means over the run and its perturbed runs" : ""));
     text += account_line("  window", window_text(load));
     text += account_line("  deviation", fmt::format("{} along, {} across", force_text(load.along.statistics.std),
                                                     force_text(load.across.statistics.std)));

@@ -235,8 +235,7 @@ std::optional<IceLoad> RunStatistics::ice_load(const TwinStatistics* twins) cons
   load.step = h_;
   load.rigid = info_.rigid_contacts;
   const auto component = [&](const char* name) {
-    ComponentLoad found =
-        component_load(series_of(name), load.window, t_start_, h_, load.filter, error->ice_broke);
+    ComponentLoad found = component_load(series_of(name), load.window, t_start_, h_, load.filter, error->ice_broke);
     for (const ChannelError& c : error->channels)
       if (c.channel == name) {
         found.statistics.mean = c.mean;

@@ -99,7 +99,7 @@ class RunStatistics {
   std::vector<double> structure_first_ice_;            ///< start of the first step with ice, one per structure [s]
   StepCosts costs_;
   double processor_s_;  ///< processor time of the process at the end of the last step [s]
-  double h_ = 0;  ///< [s]
+  double h_ = 0;        ///< [s]
   static constexpr double k_never = 1e300;
   std::vector<double> works_;  ///< works after the previous step [J]
   double energy_put_in_ = 0;

@@ -7,9 +7,9 @@
 #include <fstream>
 #include <memory>
 
+#include "core/base/error.h"
 #include "core/output/loads/ice_load_json.h"
 #include "core/output/loads/run_statistics.h"
-#include "core/base/error.h"
 #include "core/output/tables/steps_csv.h"
 #include "core/output/tables/vessel_channels.h"
 #include "core/scene/read/read_scene.h"
