@@ -88,7 +88,7 @@ std::vector<contact::ContactProblem> subjects() {
 class OrderFree : public testing::TestWithParam<const char*> {
  protected:
   contact::ContactSolution solve(const contact::ContactProblem& problem) const {
-    return nilas::solvers::solve(problem, GetParam());
+    return order_free_test::solve(problem, GetParam());
   }
 };
 INSTANTIATE_TEST_SUITE_P(Solvers, OrderFree, testing::Values("eg-order-free", "newton-order-free"),

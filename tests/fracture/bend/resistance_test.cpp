@@ -14,8 +14,6 @@ namespace resistance_test {
 IcebreakingHull hull() { return {100, 20, 7, 30 * k_deg, 30 * k_deg}; }
 LevelIce ice() { return {0.8, 5e5, 2e9, 0.3, 920, 1025, 0.1, 9.81}; }
 
-}  // namespace resistance_test
-
 /// L 100, B 20, T 7, phi = alpha = 30 deg, mu 0.1, sigma 0.5 MPa, h 0.8, E 2 GPa, by hand to the newton.
 TEST(Resistance, Lindqvist) {
   const LindqvistResistance r = lindqvist_resistance(hull(), ice(), 2);
@@ -61,4 +59,5 @@ TEST(Resistance, RefusesImpossibleInput) {
   EXPECT_THROW(zuev_resistance(20, ice(), 1.1, 0), ContractError);
 }
 
+}  // namespace resistance_test
 }  // namespace nilas::fracture

@@ -15,8 +15,6 @@ const SlopingStructure k_slope{10, 45 * k_deg, true};
 const LevelIce k_ice{1, 5e5, 5e9, 0.3, 920, 1025, 0.1, 9.81};
 const Rubble k_rubble{4, 30 * k_deg, 0.3, 5e3, 40 * k_deg, 0.1};
 
-}  // namespace sloping_structure_test
-
 /// w 10 m, alpha 45 deg, mu 0.1, sigma 0.5 MPa, h 1 m, E 5 GPa: H_B 0.7205 MN; the other parts by a second computation
 /// of the same formulas.
 TEST(SlopingStructure, Croasdale) {
@@ -78,4 +76,5 @@ TEST(SlopingStructure, RefusesImpossibleInput) {
   EXPECT_THROW(ralston_load({10, 80 * k_deg, true}, 4, 1, rough), ContractError);
 }
 
+}  // namespace sloping_structure_test
 }  // namespace nilas::fracture

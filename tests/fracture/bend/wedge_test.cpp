@@ -62,8 +62,6 @@ class WedgeElements {
   VecX w_;
 };
 
-}  // namespace wedge_test
-
 /// Mellin's transform of the wedge under a point load at its tip is 4^s G(s/4) G((s+1)/4) G((s+2)/4) / G((3-s)/4) but
 /// for a factor that the balance of forces gives; its pole at 0 is w(0) = (G(1/4) / G(3/4))^2 / 4.
 TEST(Wedge, PointLoadAtTheTip) {
@@ -177,4 +175,5 @@ TEST(Wedge, RadiusShrinksWithSpeed) {
   EXPECT_NEAR(bending_radius(table, 0.1, 14.268, 20, {-0.14}) / still, 0.25, 1e-12);
 }
 
+}  // namespace wedge_test
 }  // namespace nilas::fracture

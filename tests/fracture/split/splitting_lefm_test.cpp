@@ -44,8 +44,6 @@ const std::vector<Value> k_square{{0.002, 1, 32.721}, {0.03, 1, 8.61794}, {0.05,
                                   {0.4, 1, 7.96421},  {0.5, 1, 10.1603},  {0.6, 1, 13.9661},  {0.7, 1, 21.687},
                                   {0.85, 1, 64.5756}};
 
-}  // namespace splitting_lefm_test
-
 TEST(SplittingLefm, HoldsFiniteElementValuesBetweenItsPoints) {
   const SplittingTable table;
   for (const Value& v : k_between) EXPECT_NEAR(table.H(v.crack, v.width) / v.H, 1, 2e-4) << v.crack << ' ' << v.width;
@@ -150,4 +148,5 @@ TEST(SplittingLefm, RefusesImpossibleInput) {
   EXPECT_THROW(wedge_force(1, 80 * k_deg, 0.2), ContractError);
 }
 
+}  // namespace splitting_lefm_test
 }  // namespace nilas::fracture
