@@ -165,7 +165,7 @@ ContactSolution SiconosSolver::solve(const PreparedProblem& problem, const VecX&
 }
 
 ContactSolution SiconosSolver::solve(const LocalProblem& problem, const VecX& guess) const {
-  solvers::demand_known(name().c_str(), {Law::coulomb}, problem.law);
+  solvers::demand_known(name().c_str(), std::array{Law::coulomb}, problem.law);
   NILAS_DEMAND(guess.size() == 0 || guess.size() == problem.q.size());
   ContactSolution solution = climb(problem, guess, settings_);
   solution.u = contact_velocities(problem, solution.r);

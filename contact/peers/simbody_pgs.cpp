@@ -39,7 +39,9 @@ ContactSolution refused(const LocalProblem& island, const std::string& why) {
 
 }  // namespace
 
-void SimbodyPgsSolver::demand_law(Law law) const { solvers::demand_known("simbody-pgs", {Law::coulomb}, law); }
+void SimbodyPgsSolver::demand_law(Law law) const {
+  solvers::demand_known("simbody-pgs", std::array{Law::coulomb}, law);
+}
 
 ContactSolution SimbodyPgsSolver::solve_island(const LocalProblem& island, const VecX&, const SolverSettings& shared,
                                                const solvers::Budget& budget) const {

@@ -202,7 +202,7 @@ contact::ContactSolution alternate_to_tolerance(const contact::LocalProblem& isl
 
 }  // namespace
 
-void AdmmSolver::demand_law(Law law) const { demand_known("admm", {Law::coulomb, Law::ccp, Law::frictionless}, law); }
+void AdmmSolver::demand_law(Law law) const { demand_known("admm", k_cone_laws, law); }
 
 contact::ContactSolution AdmmSolver::solve_island(const contact::LocalProblem& island, const VecX& guess,
                                                   const contact::SolverSettings& shared, const Budget& budget) const {

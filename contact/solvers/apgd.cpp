@@ -163,7 +163,7 @@ contact::ContactSolution ApgdSolver::solve(const contact::PreparedProblem& probl
 
 contact::ContactSolution ApgdSolver::solve(const contact::PreparedProblem& problem, const VecX& guess,
                                            const Budget& budget) const {
-  demand_known("apgd", k_cone_laws, problem.problem().law);
+  demand_known("apgd", k_convex_laws, problem.problem().law);
   demand_no_moments(name(), problem.problem());
   return solve_by_operator(problem, guess, settings_.shared, false, [&](IslandOperator& island, const VecX& start) {
     return iterate(island, start, settings_, budget);
@@ -171,7 +171,7 @@ contact::ContactSolution ApgdSolver::solve(const contact::PreparedProblem& probl
 }
 
 contact::ContactSolution ApgdSolver::solve(const contact::LocalProblem& problem, const VecX& guess) const {
-  demand_known("apgd", k_cone_laws, problem.law);
+  demand_known("apgd", k_convex_laws, problem.law);
   const Budget budget(settings_.shared);
   return solve_by_operator(problem, guess, settings_.shared, [&](IslandOperator& island, const VecX& start) {
     return iterate(island, start, settings_, budget);

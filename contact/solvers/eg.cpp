@@ -118,7 +118,7 @@ contact::ContactSolution EgSolver::solve(const contact::PreparedProblem& problem
 
 contact::ContactSolution EgSolver::solve(const contact::PreparedProblem& problem, const VecX& guess,
                                          const Budget& budget) const {
-  demand_known("eg", k_cone_laws, problem.problem().law);
+  demand_known("eg", k_convex_laws, problem.problem().law);
   demand_no_moments(name(), problem.problem());
   EgSettings own = settings_;
   // its own residual is what an order-free solve may look at, and that differs from `measure` by rounding
@@ -129,7 +129,7 @@ contact::ContactSolution EgSolver::solve(const contact::PreparedProblem& problem
 }
 
 contact::ContactSolution EgSolver::solve(const contact::LocalProblem& problem, const VecX& guess) const {
-  demand_known("eg", k_cone_laws, problem.law);
+  demand_known("eg", k_convex_laws, problem.law);
   const Budget budget(settings_.shared);
   return solve_by_operator(problem, guess, settings_.shared, [&](IslandOperator& island, const VecX& start) {
     return iterate(island, start, settings_, budget);

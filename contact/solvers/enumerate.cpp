@@ -202,9 +202,7 @@ contact::ContactSolution try_all(const contact::LocalProblem& island, double tol
 
 }  // namespace
 
-void EnumerateSolver::demand_law(Law law) const {
-  demand_known("enumerate", {Law::coulomb, Law::ccp, Law::frictionless}, law);
-}
+void EnumerateSolver::demand_law(Law law) const { demand_known("enumerate", k_cone_laws, law); }
 
 contact::ContactSolution EnumerateSolver::solve_island(const contact::LocalProblem& island, const VecX&,
                                                        const contact::SolverSettings& shared, const Budget&) const {

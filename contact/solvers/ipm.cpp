@@ -96,7 +96,7 @@ contact::ContactSolution solve_rounds(const contact::LocalProblem& island, const
 
 }  // namespace
 
-void IpmSolver::demand_law(Law law) const { demand_known("ipm", {Law::coulomb, Law::ccp, Law::frictionless}, law); }
+void IpmSolver::demand_law(Law law) const { demand_known("ipm", k_cone_laws, law); }
 
 contact::ContactSolution IpmSolver::solve_island(const contact::LocalProblem& island, const VecX& guess,
                                                  const contact::SolverSettings& shared, const Budget& budget) const {

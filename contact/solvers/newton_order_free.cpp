@@ -26,7 +26,7 @@ IslandSolve island_solve(const contact::SolverSettings& shared, const Budget& bu
 
 contact::ContactSolution OrderFreeNewtonSolver::solve(const contact::PreparedProblem& problem,
                                                       const VecX& guess) const {
-  demand_known("newton-order-free", k_cone_laws, problem.problem().law);
+  demand_known("newton-order-free", k_convex_laws, problem.problem().law);
   demand_no_moments(name(), problem.problem());
   const Budget budget(shared_);
   const auto newton = [&](const VecX& start) {
@@ -48,7 +48,7 @@ contact::ContactSolution OrderFreeNewtonSolver::solve(const contact::PreparedPro
 }
 
 contact::ContactSolution OrderFreeNewtonSolver::solve(const contact::LocalProblem& problem, const VecX& guess) const {
-  demand_known("newton-order-free", k_cone_laws, problem.law);
+  demand_known("newton-order-free", k_convex_laws, problem.law);
   return solve_islands(problem, guess, island_solve(shared_, Budget(shared_)));
 }
 

@@ -1,5 +1,7 @@
 #include "contact/solvers/nsgs.h"
 
+#include <array>
+
 #include "contact/problem/row_of.h"
 #include "contact/solvers/shared/nsgs_sweep.h"
 
@@ -72,7 +74,7 @@ contact::ContactSolution NsgsSolver::solve(const contact::LocalProblem& problem,
 contact::ContactSolution NsgsSolver::solve(const contact::PreparedProblem& problem, const VecX& guess,
                                            const Budget& budget) const {
   if (problem.problem().has_moments())
-    demand_known("nsgs with rolling friction", {Law::coulomb, Law::pyramid}, problem.problem().law);
+    demand_known("nsgs with rolling friction", std::array{Law::coulomb, Law::pyramid}, problem.problem().law);
   return solve_row_islands(problem, guess, settings_.shared, RowOrder::coloured, [&](const RowIsland& island) {
     NsgsBodies sweeps(island);
     contact::ContactSolution part =

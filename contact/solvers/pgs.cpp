@@ -79,7 +79,7 @@ class PgsLocal : public LocalSweeps {
 }  // namespace
 
 contact::ContactSolution PgsSolver::solve(const contact::PreparedProblem& problem, const VecX& guess) const {
-  demand_known("pgs", {Law::pyramid, Law::coulomb, Law::frictionless}, problem.problem().law);
+  demand_known("pgs", k_row_laws, problem.problem().law);
   demand_no_moments(name(), problem.problem());
   const Budget budget(settings_.shared);
   return solve_row_islands(problem, guess, settings_.shared, RowOrder::given, [&](const RowIsland& island) {
@@ -92,7 +92,7 @@ contact::ContactSolution PgsSolver::solve(const contact::PreparedProblem& proble
 }
 
 contact::ContactSolution PgsSolver::solve(const contact::LocalProblem& problem, const VecX& guess) const {
-  demand_known("pgs", {Law::pyramid, Law::coulomb, Law::frictionless}, problem.law);
+  demand_known("pgs", k_row_laws, problem.law);
   return solve_by_sweeps<PgsLocal>(problem, guess, settings_, Budget(settings_.shared));
 }
 

@@ -140,7 +140,7 @@ contact::ContactSolution solve_islands(const contact::PreparedProblem& prepared,
   return whole;
 }
 
-void demand_known(const char* solver, std::initializer_list<Law> known, Law law) {
+void demand_known(const char* solver, std::span<const Law> known, Law law) {
   if (std::find(known.begin(), known.end(), law) != known.end()) return;
   std::string laws;
   for (const Law one : known) laws += (laws.empty() ? "" : ", ") + std::string(contact::to_string(one));

@@ -1,8 +1,8 @@
 #pragma once
 /// The interface of all contact solvers: a pure function from a problem and a guess to a solution.
 #include <functional>
-#include <initializer_list>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -45,7 +45,7 @@ contact::ContactSolution solve_islands(const contact::PreparedProblem& problem,
                                        const IslandSolve& solve);
 
 /// Throws InputError naming the laws that a solver knows where `law` is none of them.
-void demand_known(const char* solver, std::initializer_list<Law> known, Law law);
+void demand_known(const char* solver, std::span<const Law> known, Law law);
 
 /// Throws InputError naming the solvers that take rolling and spinning friction where the problem has it.
 void demand_no_moments(const std::string& solver, const contact::ContactProblem& problem);

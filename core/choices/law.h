@@ -1,5 +1,6 @@
 #pragma once
 /// Contact laws by name.
+#include <array>
 #include <vector>
 
 #include "core/choices/choice.h"
@@ -23,6 +24,13 @@ constexpr ChoiceText choice_text(Law value) {
   }
   return {};
 }
+
+/// Laws that solvers take together: all; those of single rows; exact cones; and all whose admissible impulses are a
+/// convex set that does not depend on the normal impulse.
+inline constexpr std::array k_all_laws{Law::coulomb, Law::ccp, Law::pyramid, Law::pyramid_k, Law::frictionless};
+inline constexpr std::array k_row_laws{Law::pyramid, Law::coulomb, Law::frictionless};
+inline constexpr std::array k_cone_laws{Law::coulomb, Law::ccp, Law::frictionless};
+inline constexpr std::array k_convex_laws{Law::coulomb, Law::ccp, Law::pyramid_k, Law::frictionless};
 
 /// Numbers of facets that pyramid-k takes. At the upper bound its friction is within 5e-6 of the cone's.
 constexpr int k_fewest_facets = 3, k_most_facets = 1000;

@@ -1,7 +1,6 @@
 #pragma once
 /// Contact solvers that a scene may ask for: their names, and what each can solve. contact/registry.h builds them.
 #include <algorithm>
-#include <array>
 #include <optional>
 #include <span>
 #include <string>
@@ -23,11 +22,6 @@ enum class SolverName {
   newton_order_free,
   automatic
 };
-
-inline constexpr std::array k_all_laws{Law::coulomb, Law::ccp, Law::pyramid, Law::pyramid_k, Law::frictionless};
-inline constexpr std::array k_row_laws{Law::pyramid, Law::coulomb, Law::frictionless};
-inline constexpr std::array k_cone_laws{Law::coulomb, Law::ccp, Law::frictionless};
-inline constexpr std::array k_convex_laws{Law::coulomb, Law::ccp, Law::pyramid_k, Law::frictionless};
 
 /// What is known of a solver before it is built.
 struct SolverFacts {

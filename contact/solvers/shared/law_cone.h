@@ -1,15 +1,10 @@
 #pragma once
 /// The set of admissible impulses of a law and the normal velocity that the law adds: what makes contact a variational
-/// inequality,  r in K,  (u + shift(u) n) . (r' - r) >= 0 for all r' in K.
-#include <initializer_list>
-
+/// inequality,  r in K,  (u + shift(u) n) . (r' - r) >= 0 for all r' in K. These laws are k_convex_laws.
 #include "contact/law/cone.h"
 #include "contact/law/law_map.h"
 
 namespace nilas::solvers {
-
-/// The laws that are such an inequality.
-inline constexpr std::initializer_list<Law> k_cone_laws{Law::coulomb, Law::ccp, Law::pyramid_k, Law::frictionless};
 
 /// Nearest point of K. The box pyramid is no such inequality (its sides depend on r_N): not for that law.
 inline Vec3 project_law(Law law, int facets, const contact::ContactScale& scale, const Vec3& x) {

@@ -11,8 +11,6 @@ namespace nilas::solvers {
 
 namespace {
 
-constexpr std::initializer_list<Law> k_laws{Law::coulomb, Law::ccp, Law::frictionless};
-
 /// Returns the impulse of one contact after a step against its velocity `u` and back to its cone.
 Vec3 moved(const IslandOperator& island, int c, double omega, const Vec3& r, Vec3 u) {
   const contact::ContactScale& scale = island.scales()[c];
@@ -44,7 +42,7 @@ contact::ContactSolution iterate(IslandOperator& island, const VecX& guess, cons
 }  // namespace
 
 contact::ContactSolution JacobiSolver::solve(const contact::PreparedProblem& problem, const VecX& guess) const {
-  demand_known("jacobi", k_laws, problem.problem().law);
+  demand_known("jacobi", k_cone_laws, problem.problem().law);
   demand_no_moments(name(), problem.problem());
   const Budget budget(settings_.shared);  // starts the clock of max_seconds
   return solve_by_operator(problem, guess, settings_.shared, false, [&](IslandOperator& island, const VecX& start) {
@@ -53,7 +51,7 @@ contact::ContactSolution JacobiSolver::solve(const contact::PreparedProblem& pro
 }
 
 contact::ContactSolution JacobiSolver::solve(const contact::LocalProblem& problem, const VecX& guess) const {
-  demand_known("jacobi", k_laws, problem.law);
+  demand_known("jacobi", k_cone_laws, problem.law);
   const Budget budget(settings_.shared);
   return solve_by_operator(problem, guess, settings_.shared, [&](IslandOperator& island, const VecX& start) {
     return iterate(island, start, settings_, budget);
