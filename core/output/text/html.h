@@ -8,7 +8,8 @@ namespace nilas::output {
 /// The text with <, >, & and both quotes as entities, for text and attributes.
 std::string html_text(const std::string& text);
 
-/// The <svg> element of a picture file, to embed in a page. Throws FileError where the file cannot be read.
+/// The <svg> element of a picture file, to embed in a page. Throws FileError where the file cannot be read or holds
+/// none.
 std::string inline_svg(const std::filesystem::path& file);
 
 /// The style sheet of all pages.

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
-#include "core/output/text/html.h"
 
 namespace fill_template_test {
 
@@ -65,7 +64,5 @@ TEST(Template, RefusesWhatItCannotFill) {
   EXPECT_THROW(filled("{{/x}}", {{"x", true}}), ContractError);
   EXPECT_THROW(filled("{{x", {{"x", true}}), ContractError);
 }
-
-TEST(Html, LeavesNoMarkupInText) { EXPECT_EQ(html_text("<a href='b'>\"&"), "&lt;a href=&#39;b&#39;&gt;&quot;&amp;"); }
 
 }  // namespace fill_template_test
