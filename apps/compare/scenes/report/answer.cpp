@@ -54,7 +54,7 @@ void say_faster(const SceneReport& report, std::vector<std::string>& lines) {
   const Findings& found = report.found;
   if (!found.choice.faster) return;
   const Merit &best = found.merits[*found.choice.chosen], &other = found.merits[*found.choice.faster];
-  const std::string took = fmt::format("{:.3g} s", other.time), instead = fmt::format("{:.3g} s", best.time);
+  const std::string took = three_digits(other.time) + " s", instead = three_digits(best.time) + " s";
   if (took == instead) return;
   const std::string scatter = std::isnan(found.time_spread)
                                   ? "the scatter of times was not measured"
@@ -73,13 +73,13 @@ std::string recommendation(const SceneReport& report) {
   if (best.setting == own.setting)
     return fmt::format(
         "Keep the scene's own setting ({}): {}, and no other setting that is as accurate{} is "
-        "significantly faster. It takes {:.3g} s of computing per simulated second.",
-        own_name, accuracy, found.choice.deeper ? " and lets bodies penetrate no deeper" : "", own.time);
+        "significantly faster. It takes {} s of computing per simulated second.",
+        own_name, accuracy, found.choice.deeper ? " and lets bodies penetrate no deeper" : "", three_digits(own.time));
   const std::string name = report.quoted_label(best.setting);
   return fmt::format(
-      "Use {0}: {1}. {0} takes {2:.3g} s of computing per simulated second, the scene's own setting ({3}) takes "
-      "{4:.3g} s. So {0} is {5} the scene's own setting.",
-      name, accuracy, best.time, own_name, own.time, speed_text(own.time / best.time));
+      "Use {0}: {1}. {0} takes {2} s of computing per simulated second, the scene's own setting ({3}) takes "
+      "{4} s. So {0} is {5} the scene's own setting.",
+      name, accuracy, three_digits(best.time), own_name, three_digits(own.time), speed_text(own.time / best.time));
 }
 
 void say_recommendation(const SceneReport& report, std::vector<std::string>& lines) {
@@ -212,8 +212,8 @@ std::vector<std::string> answer_lines(const SceneReport& report) {
   std::vector<std::string> lines;
   const Plan& plan = report.study.plan;
   if (plan.end < plan.scene_end)
-    lines.push_back(fmt::format("Over {} only: the budget shortened the runs from {:.3g} s.", window_text(report),
-                                plan.scene_end - plan.start));
+    lines.push_back(fmt::format("Over {} only: the budget shortened the runs from {} s.", window_text(report),
+                                moment_text(plan.scene_end - plan.start)));
   if (!report.compared())
     lines.push_back("Nothing can be compared: " + blocked(report) + ".");
   else if (report.study.ablation)

@@ -85,9 +85,10 @@ std::vector<std::string> detail_lines(const SceneReport& report) {
   }
   if (found.horizon.ends)
     lines.push_back(fmt::format(
-        "The motions of single bodies can be predicted until {:.3g} s of {:g} s. From then on two runs that begin "
+        "The motions of single bodies can be predicted until {} s of {} s. From then on two runs that begin "
         "1e-12 m apart differ by more than {}.{}",
-        found.horizon.until_s, report.study.plan.end, quantity_text(found.horizon.threshold_m, "m"),
+        moment_text(found.horizon.until_s), moment_text(report.study.plan.end),
+        quantity_text(found.horizon.threshold_m, "m"),
         found.measure.is_load() && found.shared.size() > 1 ? " The effect of chance on mean loads is measured "
                                                              "separately, from realisations whose ice differs from "
                                                              "the start."

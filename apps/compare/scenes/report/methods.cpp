@@ -35,16 +35,14 @@ void say_reference_method(const SceneReport& report, std::vector<std::string>& l
 void say_ablation_method(const SceneStudy& study, std::vector<std::string>& lines) {
   lines.emplace_back(
       "Each simplification is judged by the same scene without any: exact friction cone, projection, continuous "
-      "detection, "
-      "gyroscopic torque, six load cells. Ice that crushes does so by its growing contact area, between floes too, and "
-      "is "
-      "cut out. Ice that splits does so by its fracture toughness, along curved cracks.");
+      "detection, gyroscopic torque, six load cells. Ice that crushes does so by its growing contact area, between "
+      "floes too, and is cut out. Ice that splits does so by its fracture toughness, along curved cracks.");
   const auto of_ice = [](const Omission& one) { return one.what == name_of(Simplification::uniform_ice); };
   if (std::none_of(study.absent.begin(), study.absent.end(), of_ice))
     lines.emplace_back(
         "Where the scene draws no properties of its ice, the flexural strength varies by 25 % with a correlation "
-        "length of "
-        "ten thicknesses. Strengths scatter by 20 to 30 % in nature; the length is a choice, not a measurement.");
+        "length of ten thicknesses. Strengths scatter by 20 to 30 % in nature; the length is a choice, not a "
+        "measurement.");
   for (const auto& setting : study.plan.settings)
     if (setting.simplifications.size() == 1)
       lines.push_back(fmt::format("\"{}\": {}.", name_of(setting.simplifications.front()),
@@ -88,16 +86,14 @@ void say_load_method(const SceneReport& report, std::vector<std::string>& lines)
       found.same_ice ? "this ice" : "ice of this kind", quantity_text(found.chance.run_N, "N")));
   lines.emplace_back(
       "Within one realisation, chance is the larger of two: the difference of its perturbed run, and the scatter of "
-      "the "
-      "settings that solve the same law with the same steps at least as tightly; at Student's 95 % limit.");
+      "the settings that solve the same law with the same steps at least as tightly; at Student's 95 % limit.");
 }
 
 void say_time_method(const SceneReport& report, std::vector<std::string>& lines) {
   const StudyTiming& timing = report.timing;
   lines.push_back(fmt::format(
       "Computing times are processor times of one process on a core of its own with one thread, without reading, "
-      "packing "
-      "ice and writing; the median over the realisations. {} run{} were made at a time. {}",
+      "packing ice and writing; the median over the realisations. {} run{} were made at a time. {}",
       timing.jobs, timing.jobs == 1 ? "" : "s",
       std::isfinite(timing.slowdown)
           ? fmt::format("The first {} steps of the first setting took {:.2f} times as long as alone on the machine.",
@@ -123,9 +119,9 @@ std::vector<std::string> method_lines(const SceneReport& report) {
   lines.push_back(!found.horizon.known
                       ? "How long motions can be predicted was not measured, because no perturbed run is done."
                   : found.horizon.ends
-                      ? fmt::format("Motions are compared until {:.4g} s. Then two runs that begin 1e-12 m "
+                      ? fmt::format("Motions are compared until {} s. Then two runs that begin 1e-12 m "
                                     "apart first differ by {}.",
-                                    found.horizon.until_s, quantity_text(found.horizon.threshold_m, "m"))
+                                    moment_text(found.horizon.until_s), quantity_text(found.horizon.threshold_m, "m"))
                       : "Motions are compared over the whole time, because the perturbed runs stay close to the runs.");
   say_time_method(report, lines);
   for (const auto& list : by_reason(study.plan.omissions)) lines.push_back("Left out for " + list + ".");

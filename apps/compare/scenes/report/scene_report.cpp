@@ -35,16 +35,22 @@ std::string window_text(const SceneReport& report) {
     latest = std::max(latest, found.windows[r]->from);
     to = found.windows[r]->to;
   }
-  if (!(from < to)) return fmt::format("{:.3g} to {:.3g} s", plan.start, plan.end);
-  return fmt::format("{:.3g} to {:.3g} s{}", from, to,
-                     latest > from ? fmt::format(", or from up to {:.3g} s in other realisations", latest) : "");
+  if (!(from < to)) return fmt::format("{} to {} s", moment_text(plan.start), moment_text(plan.end));
+  const std::string later =
+      latest > from ? fmt::format(", or from up to {} s in other realisations", moment_text(latest)) : "";
+  return fmt::format("{} to {} s{}", moment_text(from), moment_text(to), later);
 }
+
+std::string moment_text(double time) { return fmt::format("{:.5g}", time); }
+
+/// The unit of the third digit of a value: 0.1 for 12.3; 0 for 0.
+static double third_digit(double value) { return std::pow(10.0, std::floor(std::log10(std::abs(value))) - 2); }
 
 std::string three_digits(double value) {
   constexpr double k_whole = 999.5, k_plain = 1e6;
   const double size = std::abs(value);
   if (!(size >= k_whole && size < k_plain)) return fmt::format("{:.3g}", value);
-  const double unit = std::pow(10.0, std::floor(std::log10(size)) - 2);
+  const double unit = third_digit(value);
   return fmt::format("{:.0f}", std::round(value / unit) * unit);
 }
 
@@ -61,8 +67,8 @@ std::string quantity_text(double value, const std::string& unit) {
 }
 
 std::string uncertainty_text(double value, double uncertainty, const std::string& unit) {
-  constexpr double k_below_digits = 5e-4;  // half a unit of the third digit of 999
-  if (!std::isfinite(uncertainty) || uncertainty < k_below_digits * std::abs(value)) return "";
+  constexpr double k_half = 0.5;
+  if (!std::isfinite(uncertainty) || uncertainty < k_half * third_digit(value)) return "";
   return " +- " + (unit.empty() ? fmt::format("{:.2g}", uncertainty) : quantity_text(uncertainty, unit));
 }
 

@@ -44,6 +44,8 @@ struct SceneReport {
   bool untouched() const { return !found.measure.is_load() && !found.headline.empty(); }
 };
 
+/// A simulated time [s] without its unit. It has five digits, since windows far from 0 may be short: "1234.5".
+std::string moment_text(double time);
 /// The times over which means are taken: "2.14 to 3.7 s". Where the realisations begin at different times, it adds the
 /// latest begin: "2.14 to 3.7 s, or from up to 2.5 s in other realisations".
 std::string window_text(const SceneReport& report);
@@ -53,8 +55,8 @@ std::string three_digits(double value);
 std::string quantity_text(double value, const std::string& unit);
 /// A share in percent: "3.21 %".
 std::string percent_text(double share);
-/// The uncertainty of a value as the text " +- 0.12"; empty where it lies below the digits of the value that are shown.
-/// `unit`: unit of both; empty: the text has none.
+/// The uncertainty of a value as the text " +- 0.12"; empty below half a unit of the third digit, the last that is
+/// shown. `unit`: unit of both; empty: the text has none.
 std::string uncertainty_text(double value, double uncertainty, const std::string& unit);
 
 }  // namespace nilas::compare

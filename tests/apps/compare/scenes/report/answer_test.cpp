@@ -56,6 +56,26 @@ TEST(Answer, NamesSettingAndWindowBesideTheirNumbers) {
                 ") takes 1 s. So \"newton\" is 2 times faster than the scene's own setting.");
 }
 
+TEST(Answer, StatesLongComputingTimesWithoutAnExponent) {
+  SceneReport report = report_of_two(1234);
+  report.found.choice.chosen = 1;
+  EXPECT_TRUE(says(answer_lines(report), "\"newton\" takes 1230 s of computing per simulated second"));
+}
+
+TEST(Answer, BeginsWithTheWindowWhereTheBudgetShortenedTheRuns) {
+  SceneReport report = report_of_two(0.5);
+  EXPECT_FALSE(says(answer_lines(report), "shortened"));
+  report.study.plan.scene_end = 1234.5;
+  EXPECT_EQ(answer_lines(report)[0], "Over 2 to 6 s only: the budget shortened the runs from 1234.5 s.");
+}
+
+TEST(Answer, StatesHowLongMotionsCanBePredictedWithoutAnExponent) {
+  SceneReport report = report_of_two(0.5);
+  report.found.horizon = {true, true, 1234.5, 1e-4};
+  report.study.plan.end = report.study.plan.scene_end = 2000;
+  EXPECT_TRUE(says(detail_lines(report), "can be predicted until 1234.5 s of 2000 s."));
+}
+
 TEST(Answer, SaysThatAnotherSettingWasFasterButNotSignificantly) {
   SceneReport report = report_of_two(0.9);
   report.found.choice.chosen = 0;
