@@ -27,11 +27,6 @@ void say_coverage_limits(const SceneReport& report, std::vector<std::string>& li
                                 plural(partial), partial == 1 ? "s" : "",
                                 found.shared.size() == 1 ? "the shared" : "one of the shared",
                                 realisations_text(found.shared), partial == 1 ? "is" : "are"));
-  if (plan.end < plan.scene_end)
-    lines.push_back(
-        fmt::format("Only {:g} of {:g} s of the scene were simulated, because the budget has no time for "
-                    "more.",
-                    plan.end - plan.start, plan.scene_end - plan.start));
 }
 
 /// The runs that the budget did not allow. Time may be left where a run was expected to take more than that.

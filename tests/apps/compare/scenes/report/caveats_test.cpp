@@ -33,4 +33,11 @@ TEST(Caveats, TellRunsThatWereTooLongFromABudgetThatWasUsedUp) {
   EXPECT_FALSE(says(caveats_of({"a"}, {}), refused));
 }
 
+TEST(Caveats, DoNotRepeatThatTheBudgetShortenedTheRuns) {
+  SceneReport report;
+  report.study.plan.end = 3.7;
+  report.study.plan.scene_end = 6;
+  for (const std::string& line : caveat_lines(report)) EXPECT_EQ(line.find("3.7"), std::string::npos) << line;
+}
+
 }  // namespace caveats_test
