@@ -35,6 +35,10 @@ bool is_sure(const PairedDifference& difference) {
   return difference.certainty == Certainty::everywhere || difference.certainty == Certainty::in_realisations;
 }
 
+bool is_below_change(const PairedDifference& difference, double reference_moves) {
+  return is_sure(difference) && std::abs(difference.mean) < reference_moves;
+}
+
 double chance_limit(std::optional<double> twin_difference, const std::vector<double>& alike) {
   double variance = 0, degrees = 0;
   if (twin_difference) {

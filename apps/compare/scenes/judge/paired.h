@@ -27,6 +27,10 @@ struct PairedDifference {
 /// Whether a difference is significant everywhere, or at least in realisations that were run.
 bool is_sure(const PairedDifference& difference);
 
+/// Whether a significant difference from the reference is smaller than the change of the reference with its own step
+/// [N], so that the reference cannot show it.
+bool is_below_change(const PairedDifference& difference, double reference_moves);
+
 /// The paired difference from three lists of the same length. `one_for_all`: all realisations are compared with the
 /// same run, whose chance does not average out; the variance of the mean is then s^2 (1 + 1/n) in place of s^2/n.
 /// `rounding`: differences below it count as none [N].

@@ -37,17 +37,13 @@ std::string with_error(double value, double error) {
 const char* caption_of(const std::string& picture) {
   if (picture == "differences")
     return "Mean ice load of each setting minus that of the scene's own setting, run by run on the same ice. Small "
-           "points "
-           "are realisations. Large points are their means, with 95 % intervals where there are three realisations or "
-           "more. The grey band is what chance alone makes of two runs of one realisation (95 %).";
+           "points are realisations. Large points are their means, with 95 % intervals where there are three "
+           "realisations or more. The grey band is what chance alone makes of two runs of one realisation (95 %).";
   if (picture == "front")
     return "Cost and error of each setting: fast ones stand on the left, accurate ones at the bottom. Numbers are "
-           "those of "
-           "the table. Vertical bars are standard errors over the realisations. Horizontal bars are the scatter of "
-           "computing times among runs of one setting (standard deviation), where it was measured. Hollow triangles "
-           "mark settings whose error may "
-           "be "
-           "chance: their true error may lie anywhere below the mark.";
+           "those of the table. Vertical bars are standard errors over the realisations. Horizontal bars are the "
+           "scatter of computing times among runs of one setting (standard deviation), where it was measured. Hollow "
+           "triangles mark settings whose error may be chance: their true error may lie anywhere below the mark.";
   if (picture == "motion")
     return "The same, with the distance from the reference's motion as the error, as long as motions can be predicted.";
   if (picture == "steps") return "Error over the time step for settings that differ in nothing else.";
@@ -66,17 +62,27 @@ std::string remark_of(const Merit& m, const Choice& choice) {
   return remark;
 }
 
-const char* class_of(const PairedDifference& d) { return is_sure(d) ? "n" : "n weak"; }
+const char* class_of(bool shown) { return shown ? "n" : "n weak"; }
+
+const char* class_of(const PairedDifference& d, double reference_moves) {
+  return class_of(is_sure(d) && !is_below_change(d, reference_moves));
+}
+
+/// Whether an error is significant and smaller than the change of the reference with its own step.
+bool error_below_change(const Merit& m, const Findings& found) {
+  return m.significant && m.error < found.check.moves.value_or(0);
+}
 
 std::string mean_load_text(const Merit& m) {
   return with_error(m.load.mean, m.load.standard_error) + (m.partial ? " *" : "");
 }
 
 Json load_cells(const Merit& m, double moves) {
+  constexpr double k_without_reference = 0;
   return {{"from_reference", typeset(difference_cell(m.from_reference, moves))},
-          {"reference_class", class_of(m.from_reference)},
-          {"from_own", typeset(difference_cell(m.from_own, moves))},
-          {"own_class", class_of(m.from_own)},
+          {"reference_class", class_of(m.from_reference, moves)},
+          {"from_own", typeset(difference_cell(m.from_own, k_without_reference))},
+          {"own_class", class_of(m.from_own, k_without_reference)},
           {"std", number_text(m.load_std.mean)},
           {"p99", number_text(m.load_p99.mean)},
           {"max", number_text(m.load_max.mean)}};
@@ -89,7 +95,7 @@ std::string error_text(const Merit& m, const Findings& found) {
   if (!m.significant)
     return std::isfinite(m.floor) ? fmt::format("not significant (below {:.2g})", m.floor) : "not known";
   const bool share = measure.scale > 0 && measure.name != "turn";
-  if (m.error < found.check.moves.value_or(0)) return number_text(m.error) + " (less than the reference's own change)";
+  if (error_below_change(m, found)) return number_text(m.error) + " (less than the reference's own change)";
   return number_text(m.error) + (share ? fmt::format(" ({:.2g} %)", 100 * m.error / measure.scale) : "");
 }
 
@@ -105,7 +111,7 @@ Json setting_row(const SceneReport& report, const Merit& m) {
           {"time", with_error(m.time, m.time_spread)},
           {"ms_per_step", number_text(m.ms_per_step)},
           {"error", error_text(m, found)},
-          {"error_class", m.significant ? "n" : "n weak"},
+          {"error_class", class_of(m.significant && !error_below_change(m, found))},
           {"load_or_floor", found.measure.is_load() ? mean_load_text(m) : number_text(m.floor)},
           {"load_cells", found.measure.is_load() ? load_cells(m, found.check.moves.value_or(0)) : Json(nullptr)},
           {"motion", number_text(m.motion.mean)},
@@ -136,13 +142,17 @@ std::vector<std::string> table_notes(const SceneReport& report) {
   std::vector<std::string> notes;
   const bool partial = std::any_of(found.merits.begin(), found.merits.end(), [](const Merit& m) { return m.partial; });
   notes.push_back(
-      fmt::format("All figures are over {}{}. A ± below the third digit is left out. After ±: for a time, the scatter "
-                  "among runs of one setting; for "
-                  "a load, the standard error over the realisations.",
+      fmt::format("All figures are over {}{}. A ± below half a unit of the third digit is left out. After ±: for a "
+                  "time, the scatter among runs of one setting; for a load, the standard error over the realisations.",
                   found.shared.empty() ? "no realisation" : realisations_text(found.shared),
                   partial ? ", except those marked *: their means must not be compared with the others, "
                             "their differences may be"
                           : ""));
+  if (found.check.moves)
+    notes.push_back(
+        fmt::format("With its step doubled the reference changes by {}. It cannot show errors below that, which the "
+                    "tables mark as less than the reference's own change.",
+                    quantity_text(*found.check.moves, found.measure.unit)));
   if (!found.measure.is_load()) return notes;
   notes.push_back(fmt::format("Each mean ice load is that along the course over {}.", window_text(report)));
   notes.emplace_back(

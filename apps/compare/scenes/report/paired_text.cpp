@@ -21,13 +21,18 @@ std::string amount(const PairedDifference& d, double scale) {
   return fmt::format("{}{} ({:+.2g} %)", signed_force(d.mean), width, 100 * d.mean / scale);
 }
 
-/// The merits whose difference has this certainty, the largest mean first. Significant differences below the change
-/// of the reference with its own step are left out, because the reference cannot show them.
+/// The change of the reference with its own step, below which it shows no difference [N]. The reference has no part in
+/// differences from another setting: for them it is 0.
+double least_shown(const Findings& found, PairedDifference Merit::*member) {
+  return member == &Merit::from_reference ? found.check.moves.value_or(0) : 0;
+}
+
+/// The merits whose difference has this certainty, the largest mean first, without those that the reference cannot
+/// show.
 std::vector<const Merit*> of_certainty(const Findings& found, PairedDifference Merit::*member, Certainty certainty) {
   std::vector<const Merit*> list;
   for (const auto& m : found.merits)
-    if ((m.*member).certainty == certainty &&
-        (certainty == Certainty::none || std::abs((m.*member).mean) >= found.check.moves.value_or(0)))
+    if ((m.*member).certainty == certainty && !is_below_change(m.*member, least_shown(found, member)))
       list.push_back(&m);
   std::stable_sort(list.begin(), list.end(), [&](const Merit* a, const Merit* b) {
     return std::abs((a->*member).mean) > std::abs((b->*member).mean);
@@ -76,15 +81,14 @@ std::string everywhere_line(const std::vector<const Merit*>& list, const Finding
   return fmt::format(
       "Compared run by run on the same ice, the mean ice load differs significantly from that of {} ({}): {}.{}", other,
       basis_text(found), by_setting(list, found, member, labels),
-      found.same_ice ? " All of them have the same ice, so this says nothing about other ice." : "");
+      found.same_ice ? " This says nothing about other ice." : "");
 }
 
 std::string one_realisation_line(const std::vector<const Merit*>& list, const Findings& found, Member member,
                                  const std::string& other, const std::vector<std::string>& labels) {
   return fmt::format(
       "In the one realisation that was run, the mean ice load differs significantly from that of {} (chance alone "
-      "makes at "
-      "most {} there, 95 %): {}. This says nothing about other ice.",
+      "makes at most {} there, 95 %): {}. This says nothing about other ice.",
       other, quantity_text(widest_limit(found.merits, member), "N"), by_setting(list, found, member, labels));
 }
 
@@ -98,6 +102,23 @@ std::string some_realisations_line(const std::vector<const Merit*>& list, const 
         return fmt::format("\"{}\" in {} of {}, by {} on average", labels[m.setting], d.beyond_chance,
                            d.realisations.size(), amount(d, found.measure.scale));
       }));
+}
+
+/// The sentence where no setting differs significantly. A difference may still be significant and smaller than what the
+/// reference can show.
+std::string no_difference_line(const Findings& found, Member member, const std::string& other) {
+  const double chance = widest_limit(found.merits, member), least = least_shown(found, member);
+  const std::string limit = quantity_text(chance, "N");
+  const bool hidden = std::any_of(found.merits.begin(), found.merits.end(),
+                                  [&](const Merit& m) { return is_below_change(m.*member, least); });
+  if (hidden)
+    return fmt::format(
+        "Compared run by run on the same ice, no setting's mean ice load differs from that of {} by more than both "
+        "chance{} and the reference's own change with its step ({}).",
+        other, chance > 0 ? " (up to " + limit + ", 95 %)" : "", quantity_text(least, "N"));
+  return fmt::format(
+      "No setting's mean ice load differs significantly from that of {}, not even run by run on the same ice{}.", other,
+      chance > 0 ? ", where chance alone makes up to " + limit + " (95 %)" : "");
 }
 
 }  // namespace
@@ -119,7 +140,7 @@ const char* name_of(Certainty certainty) {
 std::string difference_cell(const PairedDifference& d, double reference_moves) {
   if (d.realisations.empty()) return "";
   std::string text = (d.mean > 0 ? "+" : "") + three_digits(d.mean) + uncertainty_text(d.mean, d.half_width, "");
-  if (is_sure(d) && std::abs(d.mean) < reference_moves) return text + ", less than the reference's own change";
+  if (is_below_change(d, reference_moves)) return text + ", less than the reference's own change";
   switch (d.certainty) {
     case Certainty::everywhere:
       return text + ", significant";
@@ -139,18 +160,14 @@ std::vector<std::string> difference_lines(const Findings& found, PairedDifferenc
                                           const std::string& other, const std::vector<std::string>& labels) {
   std::vector<std::string> lines;
   const auto everywhere = of_certainty(found, member, Certainty::everywhere),
-             somewhere = of_certainty(found, member, Certainty::in_realisations),
-             none = of_certainty(found, member, Certainty::none);
+             somewhere = of_certainty(found, member, Certainty::in_realisations);
   if (!everywhere.empty()) lines.push_back(everywhere_line(everywhere, found, member, other, labels));
   if (!somewhere.empty())
     lines.push_back(found.shared.size() == 1 ? one_realisation_line(somewhere, found, member, other, labels)
                                              : some_realisations_line(somewhere, found, member, other, labels));
-  if (everywhere.empty() && somewhere.empty() && !none.empty()) {
-    const double limit = widest_limit(found.merits, member);
-    lines.push_back(fmt::format(
-        "No setting's mean ice load differs significantly from that of {}, not even run by run on the same ice{}.",
-        other, limit > 0 ? fmt::format(", where chance alone makes up to {} (95 %)", quantity_text(limit, "N")) : ""));
-  }
+  const bool known = std::any_of(found.merits.begin(), found.merits.end(),
+                                 [&](const Merit& m) { return (m.*member).certainty != Certainty::unknown; });
+  if (lines.empty() && known) lines.push_back(no_difference_line(found, member, other));
   return lines;
 }
 

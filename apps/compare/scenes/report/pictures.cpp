@@ -221,12 +221,17 @@ struct DifferenceRow {
   std::vector<double> values;
   double half_width = 0;
   Certainty certainty = Certainty::unknown;
+  bool below_change = false;  ///< it is smaller than the change of the reference with its own step
 };
 
 std::vector<DifferenceRow> difference_rows(const Findings& found, const std::vector<std::string>& labels) {
   std::vector<DifferenceRow> rows;
   DifferenceRow perturbed{"perturbed run: chance alone", {}, k_unknown}, reference{"the reference", {}, k_unknown};
-  if (!found.merits.empty()) reference.certainty = found.merits.front().from_reference.certainty;
+  if (!found.merits.empty()) {
+    const PairedDifference& own = found.merits.front().from_reference;
+    reference.certainty = own.certainty;
+    reference.below_change = is_below_change(own, found.check.moves.value_or(0));
+  }
   for (const int r : found.shared) {
     const RunRow *other = done_run(found.rows, RunKind::twin, 0, r), *judge = judge_of(found.rows, r);
     if (other != nullptr && other->own_difference) perturbed.values.push_back(*other->own_difference);
@@ -248,19 +253,22 @@ Json mean_layers(const std::vector<DifferenceRow>& rows, const std::vector<doubl
   struct Layer {
     const char *name, *colour, *title;
     int mark;
-    bool (*holds)(Certainty);
+    bool (*holds)(const DifferenceRow&);
   };
-  constexpr std::array<Layer, 3> k_layers{
-      {{"sure", "#d55e00", "significant", 7, [](Certainty c) { return c == Certainty::everywhere; }},
+  using Row = const DifferenceRow&;
+  constexpr std::array<Layer, 4> k_layers{
+      {{"sure", "#d55e00", "significant", 7,
+        [](Row row) { return row.certainty == Certainty::everywhere && !row.below_change; }},
        {"here", "#e69f00", "significant in these realisations, not in the mean", 5,
-        [](Certainty c) { return c == Certainty::in_realisations; }},
+        [](Row row) { return row.certainty == Certainty::in_realisations && !row.below_change; }},
+       {"below", "#009e73", "less than the reference's own change", 4, [](Row row) { return row.below_change; }},
        {"unsure", "#0072b2", "may be chance", 6,
-        [](Certainty c) { return c == Certainty::none || c == Certainty::unknown; }}}};
+        [](Row row) { return row.certainty == Certainty::none || row.certainty == Certainty::unknown; }}}};
   Json layers = Json::array();
   for (const auto& layer : k_layers) {
     std::string text;
     for (std::size_t k = 0; k < rows.size(); ++k)
-      if (layer.holds(rows[k].certainty)) text += fmt::format("{} {} {}\n", mean_of(rows[k].values), k, widths[k]);
+      if (layer.holds(rows[k])) text += fmt::format("{} {} {}\n", mean_of(rows[k].values), k, widths[k]);
     if (!text.empty())
       layers.push_back({{"name", layer.name},
                         {"rows", text},

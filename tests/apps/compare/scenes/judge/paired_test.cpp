@@ -63,6 +63,14 @@ TEST(PairedDifference, ThatIsSureInEachButNotInTheMeanSaysSo) {
   EXPECT_EQ(d.beyond_chance, 2);
 }
 
+TEST(PairedDifference, IsBelowTheReferencesChangeOnlyWhereItIsSignificant) {
+  const PairedDifference sure = paired_difference({0}, {-3}, {1}, k_rounding);
+  EXPECT_TRUE(is_below_change(sure, 4));
+  EXPECT_FALSE(is_below_change(sure, 2));
+  EXPECT_FALSE(is_below_change(sure, 0));
+  EXPECT_FALSE(is_below_change(paired_difference({0}, {-3}, {5}, k_rounding), 4)) << "it may be chance";
+}
+
 TEST(PairedDifference, ThatRoundingMakesIsNone) {
   EXPECT_EQ(paired_difference({0, 1}, {1e-12, 1e-12}, {0, 0}, k_rounding).certainty, Certainty::none);
   EXPECT_EQ(paired_difference({0}, {1e-12}, {0}, k_rounding).certainty, Certainty::none);

@@ -59,4 +59,42 @@ TEST(Pictures, EndBarsAboveZeroBecauseTheAxisIsLogarithmic) {
   EXPECT_EQ(front.data.at("bars"), "1 0.5 0.001 3\n2 0.5 0.002 6\n");
 }
 
+/// A report in which the reference differs by 0.5 N from the scene's own setting, and the second setting too. Both
+/// differences are significant. The reference changes by `moves` [N] with its step.
+SceneReport differing_report(double moves) {
+  SceneReport report = timed_report(0.25);
+  Findings& found = report.found;
+  found.measure = {"load", "N", 100};
+  found.shared = {0, 1};
+  found.check.moves = moves;
+  const PairedDifference half{{0, 1}, {0.5, 0.5}, {0.1, 0.1}, 0.5, 0.1, 2, Certainty::everywhere};
+  found.merits[0].from_reference = found.merits[1].from_own = half;
+  for (const int realisation : found.shared) {
+    RunRow reference;
+    reference.run.kind = RunKind::reference;
+    reference.run.realisation = realisation;
+    reference.judges = true;
+    reference.own_difference = -0.5;
+    found.rows.push_back(reference);
+  }
+  return report;
+}
+
+/// The marks of the means under this title of the picture of differences; empty if there are none.
+std::string means_titled(const std::string& title, const SceneReport& report) {
+  for (const Picture& picture : pictures_of(report))
+    if (picture.name == "differences")
+      for (const auto& layer : picture.data.at("layers"))
+        if (layer.at("title").get<std::string>() == title) return layer.at("rows").get<std::string>();
+  return "";
+}
+
+TEST(Pictures, DoNotCallTheReferenceDifferentBelowItsOwnChange) {
+  const std::string reference = "-0.5 0 0\n", setting = "0.5 1 0\n", below = "less than the reference's own change";
+  EXPECT_EQ(means_titled(below, differing_report(1)), reference);
+  EXPECT_EQ(means_titled("significant", differing_report(1)), setting) << "the reference has no part in it";
+  EXPECT_EQ(means_titled(below, differing_report(0.2)), "");
+  EXPECT_EQ(means_titled("significant", differing_report(0.2)), reference + setting);
+}
+
 }  // namespace pictures_test
