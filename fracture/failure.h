@@ -81,7 +81,7 @@ class FailureRules {
   /// wedges span the ice from edge to edge, with angles nearest to `wedge_angle`. Half widths and depths below 1.724 h
   /// become Westergaard's equivalent length sqrt(1.6 x^2 + h^2) - 0.675 h (1926; Huang 2004, eq. 4.19). With curved
   /// cracks each wedge breaks at its weakest section (weakest_sections), once the edge has cracked: from a `radial` of
-  /// `least` on, which is below 1 for damaged ice.
+  /// `least` on, which is below 1 in scenes with <damage>.
   BendingState bending_state(const std::vector<Vec2>& outline, const EdgeContact& contact, const IceAtContact& ice,
                              double least = 1) const;
   /// Splitting by `lefm`: the crack, and F_Y over the force that the floe bears.

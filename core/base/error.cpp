@@ -52,10 +52,10 @@ static std::string in_english(const std::string& word) { return word == "draft" 
 std::string nearest_name(const std::string& written, const std::vector<std::string>& candidates) {
   const std::string word = in_english(written);
   std::string best;
-  // one edit in each three letters; of a word of one or two letters, more would leave nothing
+  // about one edit in each three letters; of a word of two letters, more would leave nothing
   std::size_t best_distance = (word.size() + 1) / 3 + 1;
   for (const auto& c : candidates) {
-    const std::size_t d = edit_distance(word, c);
+    const std::size_t d = c.starts_with(word + "_") ? 1 : edit_distance(word, c);  // only its unit is missing
     if (d < best_distance) {
       best_distance = d;
       best = c;

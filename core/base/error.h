@@ -63,7 +63,8 @@ class ContractError : public std::logic_error {
 
 [[noreturn]] void contract_failed(const char* expression, const char* file, int line);
 
-/// Nearest of `candidates` to `word` by edit distance, or "" when none is close: at most one edit in three letters.
+/// Nearest of `candidates` to `word` by edit distance, or "" when none is close: about one edit in three letters
+/// of the word, rounded, and none in a single letter.
 std::string nearest_name(const std::string& word, const std::vector<std::string>& candidates);
 
 }  // namespace nilas

@@ -65,7 +65,8 @@ class Module {
   virtual bool conservative() const { return false; }
   virtual VesselLoad load_on_vessel() const { return VesselLoad::own; }
   /// The velocity to which the loads bring free ice [m/s]; zero where they set bodies in motion but at no one velocity;
-  /// nothing where they set none in motion. Load axes and the checks of a scene depend on it.
+  /// nothing where they set none in motion, or where the scene states that motion elsewhere (a <current>). Load axes
+  /// and the checks of a scene depend on it.
   virtual std::optional<Vec3> drift() const { return std::nullopt; }
   /// Adds this module's wrenches at time t [s] for the present poses and velocities. `out` has one entry per body.
   virtual void add_forces(const Bodies& /*bodies*/, double /*t*/, Wrenches& /*out*/) {}

@@ -75,8 +75,7 @@ constexpr SolverFacts facts_of(SolverName value) {
       return {.text = {"apgd",
                        "Accelerated projected gradient with De Saxce's outer loop, one product with W per iteration, "
                        "O(contacts); 100 to 20000 iterations; for mass ratios and fields where 1e-8 m/s is enough, may "
-                       "stall at "
-                       "1e-5 m/s on tall stacks."},
+                       "stall at 1e-5 m/s on tall stacks."},
               .laws = k_convex_laws,
               .relative_time = 5};
     case SolverName::enumerate:

@@ -59,6 +59,15 @@ struct Ending {
   std::string early = {};        ///< why a run that is done ended before its end time; empty: it did not
 };
 
+/// A path as a shell reads it: in quotes unless all of its characters are plain.
+std::string for_shell(const std::string& path) {
+  constexpr std::string_view k_plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789/._-+,:@%";
+  if (path.find_first_not_of(k_plain) == std::string::npos) return path;
+  std::string quoted = "'";
+  for (const char c : path) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + "'";
+}
+
 class Run {
  public:
   explicit Run(const RunOptions& options)
@@ -254,9 +263,8 @@ class Run {
   /// A sentence on how an interrupted run is continued.
   std::string how_to_continue() const {
     if (steps_saved_ >= 0) {
-      std::string folder = folder_.path().string();
-      if (folder.find(' ') != std::string::npos) folder = "'" + folder + "'";
-      return "`nilas run --resume " + folder + "` continues the run" + (twins_ ? ", without its perturbed runs." : ".");
+      return "`nilas run --resume " + for_shell(folder_.path().string()) + "` continues the run" +
+             (twins_ ? ", without its perturbed runs." : ".");
     }
     return "The run cannot be resumed, since it wrote no checkpoints; --checkpoint-every SECONDS writes them.";
   }

@@ -8,8 +8,8 @@
 
 namespace nilas::solvers {
 
-/// A row whose inverse mass is below this share of its contact's is held by what cannot move; rounding alone gives the
-/// square of 1e-16.
+/// A row whose inverse mass is below this share of the contact's inverse mass, its trace or its scale, is held by what
+/// cannot move; rounding alone gives the square of 1e-16.
 constexpr double k_immovable_share = 1e-20;
 
 /// Block sizes for which a sweep has unrolled code.

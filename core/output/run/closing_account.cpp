@@ -26,7 +26,7 @@ std::string processor_lines(const RunEnding& ending) {
                                  ending.wall_s > 0 ? ending.processor_s / ending.wall_s : 0);
   if (ending.wall_s > k_shortest_told_s && ending.wall_s > k_busy_from * ending.processor_s)
     text += account_line("  busy machine", fmt::format("Other work on this machine, or a slow disk, made the run wait. "
-                                                       "On a free machine it takes about {} at most.",
+                                                       "Without the waiting it takes about {} at most.",
                                                        duration_text(ending.processor_s)));
   return text;
 }

@@ -11,7 +11,7 @@ namespace nilas::output {
 /// One value per step.
 class StepCosts {
  public:
-  /// `processor_ms`: processor time of the step on all threads, with that of its outputs.
+  /// `processor_ms`: processor time of the step on all threads, with that of outputs, checkpoints and perturbed runs.
   void add(const sim::StepRecord& record, double processor_ms);
   /// Whole sentences about why the last quarter of the steps from `first` on takes longer than the first quarter. Empty
   /// where it takes less than 1.5 times as long, or the run is short. Where the steps waited for the processor, they

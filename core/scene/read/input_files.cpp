@@ -91,9 +91,11 @@ struct FileProblem {
 
 /// Checks whether a file exists and can be opened.
 static FileProblem readable(const fs::path& path) {
-  std::error_code ignored;
-  if (fs::status(path, ignored).type() == fs::file_type::not_found) return {nothing_there(path, "file").what(), true};
-  if (!fs::is_regular_file(path, ignored)) return {path.string() + ": is no file", true};
+  std::error_code fault;
+  const fs::file_status found = fs::status(path, fault);
+  if (found.type() == fs::file_type::not_found) return {nothing_there(path, "file").what(), true};
+  if (fault) return {path.string() + ": cannot be opened: " + fault.message(), true};
+  if (!fs::is_regular_file(found)) return {path.string() + ": is no file", true};
   if (!std::ifstream(path)) return {"file cannot be opened: " + path.string(), true};
   return {};
 }

@@ -9,8 +9,6 @@ namespace {
 
 constexpr double k_at_rest = 1e-9;  // [m/s]
 
-Vec2 unit(double angle) { return {std::cos(angle), std::sin(angle)}; }
-
 /// Horizontal velocity of the drift against a fixed vessel or structure: the first non-zero one of the modules, the
 /// current, and the velocities of the ice.
 Vec2 drift_of(const scene::Scene& scene, const WorldParts& parts) {
@@ -91,7 +89,7 @@ Vec2 course_at(const WorldParts& parts, double t) {
   if (parts.info.course == CourseKind::drift) return parts.info.drift_course;
   if (parts.info.course == CourseKind::carriage) {
     const vessel::CarriageMotion& motion = parts.carriage->motion;
-    if (!motion.follows_path()) return unit(motion.direction());
+    if (!motion.follows_path()) return direction_of(motion.direction());
     const Vec2 v = motion.at(t).v.head<2>();
     if (v.norm() > k_at_rest) return v.normalized();
   }

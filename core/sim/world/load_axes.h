@@ -1,5 +1,6 @@
 #pragma once
 /// The axes along which loads are reported, and the structures with reported loads.
+#include "core/base/math.h"
 #include "core/sim/world/world.h"
 
 namespace nilas::sim {

@@ -76,8 +76,8 @@ TEST(Faults, AMisspeltElementIsOneFault) {
   fault("<water/><hidro><buoyancy/></hidro>" + breaks, "<hidro>", "hydro");
   fault("<vessel><hull/><mas value='1500'/></vessel>", "<vessel><mas>", "mass");
   fault("<water/><vessel position='0 0'><hull/><mas value='1500'/></vessel>", "<vessel><mas>", "mass");
-  fault("<vessel position='0 0 0'><hull/><mas value='1500'/><part name='a' density='1000'/></vessel>", "<vessel><mas>",
-        "mass");
+  fault("<vessel position='0 0 0'><hull/><mas value='1500'/><part name='a' joint='weld' density='1000'/></vessel>",
+        "<vessel><mas>", "mass");
   fault("<ice><field region='0 0 1 1'><size distribution='as-library'/><shap library='floes.json'/></field></ice>",
         "<ice><field><shap>", "shape");
   expect_fault(folder.faults(in_scene("<water/><hydro><drag/></hydro>"

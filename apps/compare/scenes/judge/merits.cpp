@@ -18,7 +18,7 @@ bool contains(const std::vector<int>& list, int value) {
 Merit counted(const RunTable& rows, std::size_t setting, const std::vector<int>& shared) {
   Merit m;
   m.setting = setting;
-  std::string not_begun;
+  std::string not_done;
   for (const auto& row : rows) {
     if (!row.is_grid(setting)) continue;
     ++m.planned;
@@ -27,9 +27,9 @@ Merit counted(const RunTable& rows, std::size_t setting, const std::vector<int>&
     if (row.result.done() && contains(shared, row.run.realisation)) m.realisations.push_back(row.run.realisation);
     if (row.result.failed() && m.trouble.empty())
       m.trouble = row.result.status + (row.result.cause.empty() ? "" : ": " + row.result.cause);
-    if (!row.result.done() && not_begun.empty()) not_begun = row.result.cause;
+    if (!row.result.done() && not_done.empty()) not_done = row.result.cause;
   }
-  if (m.done == 0 && m.trouble.empty()) m.trouble = not_begun.empty() ? "not run" : not_begun;
+  if (m.done == 0 && m.trouble.empty()) m.trouble = not_done.empty() ? "not run" : not_done;
   m.partial = m.done > 0 && m.realisations.size() < shared.size();
   return m;
 }

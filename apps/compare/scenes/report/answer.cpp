@@ -77,8 +77,8 @@ std::string recommendation(const SceneReport& report) {
         own_name, accuracy, found.choice.deeper ? " and lets bodies penetrate no deeper" : "", three_digits(own.time));
   const std::string name = report.quoted_label(best.setting);
   return fmt::format(
-      "Use {0}: {1}. {0} takes {2} s of computing per simulated second, the scene's own setting ({3}) takes "
-      "{4} s. So {0} is {5} the scene's own setting.",
+      "Use {0}: {1}. {0} takes {2} s of computing per simulated second, and the scene's own setting ({3}) "
+      "takes {4} s. So {0} is {5} the scene's own setting.",
       name, accuracy, three_digits(best.time), own_name, three_digits(own.time), speed_text(own.time / best.time));
 }
 
@@ -212,7 +212,7 @@ std::vector<std::string> answer_lines(const SceneReport& report) {
   std::vector<std::string> lines;
   const Plan& plan = report.study.plan;
   if (plan.end < plan.scene_end)
-    lines.push_back(fmt::format("Over {} only: the budget shortened the runs from {} s.", window_text(report),
+    lines.push_back(fmt::format("Only {} was compared: the budget shortened the runs from {} s.", window_text(report),
                                 moment_text(plan.scene_end - plan.start)));
   if (!report.compared())
     lines.push_back("Nothing can be compared: " + blocked(report) + ".");

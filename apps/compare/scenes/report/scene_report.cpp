@@ -37,7 +37,7 @@ std::string window_text(const SceneReport& report) {
   }
   if (!(from < to)) return fmt::format("{} to {} s", moment_text(plan.start), moment_text(plan.end));
   const std::string later =
-      latest > from ? fmt::format(", or from up to {} s in other realisations", moment_text(latest)) : "";
+      latest > from ? fmt::format(" (other realisations begin at up to {} s)", moment_text(latest)) : "";
   return fmt::format("{} to {} s{}", moment_text(from), moment_text(to), later);
 }
 

@@ -47,7 +47,7 @@ struct SceneReport {
 /// A simulated time [s] without its unit. It has five digits, since windows far from 0 may be short: "1234.5".
 std::string moment_text(double time);
 /// The times over which means are taken: "2.14 to 3.7 s". Where the realisations begin at different times, it adds the
-/// latest begin: "2.14 to 3.7 s, or from up to 2.5 s in other realisations".
+/// latest begin: "2.14 to 3.7 s (other realisations begin at up to 2.5 s)".
 std::string window_text(const SceneReport& report);
 /// A number with at most three significant digits, without an exponent up to 1e6: "0.123", "1230".
 std::string three_digits(double value);

@@ -159,7 +159,7 @@ class Scheduler {
 
   /// States once, after the first realisation, if the budget has no room for the others, from the times of the runs.
   void note_room() {
-    if (room_noted_ || made_.empty()) return;
+    if (room_noted_ || ended_ == 0) return;
     room_noted_ = true;
     constexpr double k_least_s = 1e-3;
     const double wanted = left_s(all_results()), room = std::max(k_least_s, study_.budget_s - elapsed());

@@ -153,7 +153,7 @@ TEST(ClosingAccount, SaysThatTheMachineWasBusy) {
   EXPECT_NE(busy.find("wall-clock            1 min 40 s, 0 x real time\n"
                       "processor time        40 s, 0.4 x wall-clock\n"
                       "  busy machine        Other work on this machine, or a slow disk, made the run\n"
-                      "                      wait. On a free machine it takes about 40 s at most.\n"),
+                      "                      wait. Without the waiting it takes about 40 s at most.\n"),
             std::string::npos)
       << busy;
   for (const double processor_s : {90.0, 180.0})

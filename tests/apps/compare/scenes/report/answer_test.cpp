@@ -51,7 +51,7 @@ TEST(Answer, NamesSettingAndWindowBesideTheirNumbers) {
   ASSERT_EQ(lines.size(), 1U);
   EXPECT_EQ(lines[0],
             "Use \"newton\": its mean ice load is within 2 % of the reference's mean ice load (100 N along the course "
-            "over 2 to 6 s). \"newton\" takes 0.5 s of computing per simulated second, the scene's own setting (" +
+            "over 2 to 6 s). \"newton\" takes 0.5 s of computing per simulated second, and the scene's own setting (" +
                 full_label(report.study.plan.settings[0]) +
                 ") takes 1 s. So \"newton\" is 2 times faster than the scene's own setting.");
 }
@@ -66,7 +66,7 @@ TEST(Answer, BeginsWithTheWindowWhereTheBudgetShortenedTheRuns) {
   SceneReport report = report_of_two(0.5);
   EXPECT_FALSE(says(answer_lines(report), "shortened"));
   report.study.plan.scene_end = 1234.5;
-  EXPECT_EQ(answer_lines(report)[0], "Over 2 to 6 s only: the budget shortened the runs from 1234.5 s.");
+  EXPECT_EQ(answer_lines(report)[0], "Only 2 to 6 s was compared: the budget shortened the runs from 1234.5 s.");
 }
 
 TEST(Answer, StatesHowLongMotionsCanBePredictedWithoutAnExponent) {
@@ -93,7 +93,7 @@ TEST(Answer, NamesTheLatestBeginOfWindowsThatDiffer) {
   SceneReport report = report_of_two(0.5);
   report.found.shared = {0, 1};
   report.found.windows.push_back(output::LoadSpan{2.5, 6, ""});
-  EXPECT_EQ(window_text(report), "2 to 6 s, or from up to 2.5 s in other realisations");
+  EXPECT_EQ(window_text(report), "2 to 6 s (other realisations begin at up to 2.5 s)");
 }
 
 TEST(Answer, OfAnAblationBeginsWithTheLoadWithoutSimplifications) {
