@@ -158,7 +158,7 @@ TEST(IceLoad, WhereTheSolverStoppedShortTheErrorIsALowerBound) {
   EXPECT_DOUBLE_EQ(error.share_short, 0.5);
   const std::string text = ice_load_lines(*statistics.ice_load(nullptr), error);
   EXPECT_NE(text.find("30 N +- at least 0 N astern, 4 N +- at least 0 N to port"), std::string::npos) << text;
-  EXPECT_NE(text.find("In 50 % of the\n                      window's steps the solver residual was above the\n        "
+  EXPECT_NE(text.find("In 50 % of\n                      the window's steps the solver residual was above the\n        "
                       "              scene's"),
             std::string::npos)
       << text;
