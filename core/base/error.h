@@ -55,6 +55,12 @@ class SimulationError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// The user asked the program to stop while it waited for something outside. Exit code 130.
+class Interruption : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
 /// A broken contract between our own functions; a defect of the program.
 class ContractError : public std::logic_error {
  public:

@@ -60,6 +60,19 @@ TEST(OrderFreeSum, DoesNotShowWhenTheLargestCame) {
     }
 }
 
+/// A scene at another scale has its terms times a power of two, which moves them against the grid. 1000 terms over 2^30
+/// keep all their bits above 2^-96 of the largest but for a few of the smallest.
+TEST(OrderFreeSum, OfTermsTimesAPowerOfTwoIsTheSumTimesThatPower) {
+  RandomStream random(7, "power");
+  for (int trial = 0; trial < 200; ++trial) {
+    std::vector<double> terms;
+    for (int k = 0; k < 1000; ++k) terms.push_back(std::ldexp(random.normal(), static_cast<int>(random.bits() % 30)));
+    const double first = sum_of(terms, 1);
+    for (const int power : {2, 12, 16, 20, -12})
+      EXPECT_EQ(sum_of(terms, std::ldexp(1, power)), std::ldexp(first, power));
+  }
+}
+
 TEST(OrderFreeSum, CancelsWhatIsItsOwnImage) {
   RandomStream random(5, "image");
   std::vector<double> terms;
