@@ -125,6 +125,12 @@ void Assembly::fill_free_block(int body) {
   auto f = out_.problem.f.segment<k_free_size>(out_.problem.block_offset[block]);
   f.head<3>() = bodies_.mass[i] * bodies_.v_GB[i] + settings_.h * free_[i].force;
   f.tail<3>() = inertia * bodies_.w_GB[i] + settings_.h * free_[i].torque;
+  if (!bodies_.has_added_mass()) return;
+  const Mat6 added = bodies_.added_mass_G(body);
+  Vec6 twist;
+  twist << bodies_.v_GB[i], bodies_.w_GB[i];
+  mass += added;
+  f += added * twist;
 }
 
 void Assembly::fill_articulated_block(const ArticulatedBlock& articulated, std::size_t block) {

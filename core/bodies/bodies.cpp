@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/base/error.h"
 
@@ -39,6 +40,7 @@ int Bodies::add(const BodySpec& spec) {
   v_GB.push_back(spec.v);
   w_GB.push_back(spec.w);
   set_pose(size() - 1, spec.pose.p, spec.pose.q);
+  if (added_mass_of_) added_mass_B.push_back(added_mass_of(id.size() - 1));
   return size() - 1;
 }
 
@@ -51,6 +53,7 @@ std::size_t Bodies::index_of(std::int64_t body_id) const {
 void Bodies::remove(const std::vector<char>& gone) {
   NILAS_DEMAND(gone.size() == id.size());
   const auto drop = [&](auto&... lists) { (remove_marked(gone, lists), ...); };
+  if (has_added_mass()) drop(added_mass_B);
   drop(id, name, kind, motion, material, shape, mass, inertia_B, inertia_inverse_B, p_GB, q_GB, R_GB, v_GB, w_GB);
 }
 
@@ -59,6 +62,40 @@ void Bodies::set_pose(int b, const Vec3& p, const Quat& q) {
   p_GB[k] = p;
   q_GB[k] = q.normalized();
   R_GB[k] = q_GB[k].toRotationMatrix();
+}
+
+Mat6 Bodies::added_mass_of(std::size_t b) const {
+  if (motion[b] != Motion::free) return Mat6::Zero();
+  const Mat6 added = added_mass_of_(kind[b], *shape[b], mass[b]);
+  NILAS_DEMAND(added.allFinite() && added == added.transpose());
+  return added;
+}
+
+void Bodies::set_added_mass(AddedMassOf of, const Vec3& flow_G) {
+  added_mass_of_ = std::move(of);
+  flow = flow_G;
+  added_mass_B.clear();
+  for (std::size_t b = 0; b < id.size(); ++b) added_mass_B.push_back(added_mass_of(b));
+}
+
+Mat6 turned(const Mat6& matrix_B, const Mat3& R_GB) {
+  Mat6 matrix_G;
+  for (const int i : {0, 3})
+    for (const int j : {0, 3}) matrix_G.block<3, 3>(i, j) = R_GB * matrix_B.block<3, 3>(i, j) * R_GB.transpose();
+  return matrix_G;
+}
+
+Mat6 Bodies::added_mass_G(int b) const {
+  const auto k = static_cast<std::size_t>(b);
+  return turned(added_mass_B[k], R_GB[k]);
+}
+
+Mat6 Bodies::whole_mass_B(int b) const {
+  const auto k = static_cast<std::size_t>(b);
+  Mat6 whole = added_mass_B[k];
+  whole.diagonal().head<3>().array() += mass[k];
+  whole.bottomRightCorner<3, 3>() += inertia_B[k];
+  return whole;
 }
 
 Mat3 Bodies::inertia_G(int b) const {

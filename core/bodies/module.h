@@ -48,6 +48,13 @@ inline constexpr std::string_view k_crushed_mass = "crushed_mass";    ///< ice t
 inline constexpr std::string_view k_brash_mass = "brash_mass";        ///< pieces too small to be bodies [kg]
 inline constexpr std::string_view k_extruded_mass = "extruded_mass";  ///< crushed ice cut out of its floes [kg]
 inline constexpr std::array k_run_sums{k_crushed_mass, k_brash_mass, k_extruded_mass};
+/// A figure of the whole run that a module gives at its end, for summary.json and the closing account.
+struct RunFigure {
+  std::string name;   ///< key with its unit, such as advance_m
+  double value = 0;   ///< in that unit
+  std::string label;  ///< at most 20 characters: advance; empty: the closing account leaves it out
+  std::string text;   ///< the value in words, with what it is compared with
+};
 /// The name of the value of one body that outputs ask for: the largest damage at any place of a floe [-].
 inline constexpr std::string_view k_damage = "damage";
 
@@ -76,6 +83,15 @@ class Module {
   /// Potential energy of the present poses [J]; zero for a module that is not conservative.
   virtual double potential_energy(const Bodies& /*bodies*/) { return 0; }
 
+  // Water that moves with bodies.
+
+  /// The added mass of the hull about its centre of mass, in body axes, as in Bodies::added_mass_B; nothing where this
+  /// module gives none. One module of a scene may give it. Its reaction on the hull, with the terms of Kirchhoff's
+  /// equations that are quadratic in the velocities, counts as a load of this module, which must exert loads.
+  virtual std::optional<Mat6> vessel_added_mass() const { return std::nullopt; }
+  /// The added mass of free bodies; empty where this module gives none. One module of a scene may give it.
+  virtual AddedMassOf added_mass_of_bodies() const { return {}; }
+
   // Contacts.
 
   /// True when owns_pair() may be true of some pair.
@@ -103,6 +119,9 @@ class Module {
   virtual void go_back() {}
   /// A substep was taken: its velocities, impulses and points.
   virtual void note_motion(const Bodies& /*bodies*/, const contact::StepMotion& /*motion*/) {}
+  /// A substep of length h [s] that ended at t [s] was taken. Bodies are at its end. A module with a state of its own,
+  /// such as the memory of waves or a controller, goes on by h here.
+  virtual void end_substep(const Bodies& /*bodies*/, double /*t*/, double /*h*/) {}
   /// The step is over: floes may break. See fracture/model/step_end.h.
   virtual void end_step(fracture::StepEnd& /*end*/) {}
   /// Bodies came or went; `pieces`: those that came in the place of a floe.
@@ -118,6 +137,8 @@ class Module {
   virtual std::optional<double> total(std::string_view /*name*/) const { return std::nullopt; }
   /// A value of one body, by its id: k_damage, or one of the module's own. Empty where the module has no such value.
   virtual std::optional<double> of_body(std::string_view /*name*/, std::int64_t /*id*/) const { return std::nullopt; }
+  /// Figures of the run so far. Their keys in summary.json stand under the module's name.
+  virtual std::vector<RunFigure> figures() const { return {}; }
 
   // Checkpoints, between two steps. What follows from scene and poses is not in them.
 

@@ -34,4 +34,54 @@ TEST(FreeRotation, IsItsOwnImageInTime) {
   EXPECT_LT((w + spin).norm(), 1e-12);
 }
 
+/// A body of anisotropic mass, whose water couples sway with yaw, in a flow: seen from the flow, its momenta about a
+/// fixed point and its energy are kept over many steps of any size.
+TEST(FreeMotion, KeepsMomentaAndEnergyOfBodyAndWater) {
+  Mat6 mass = Mat6::Zero();
+  mass.diagonal() << 10, 25, 60, 4, 9, 7;
+  mass(1, 5) = mass(5, 1) = 3;
+  const Mat6 inverse = mass.inverse();
+  const Vec3 flow(0.2, -0.3, 0.1);
+  for (const double h : {0.01, 0.1, 0.4}) {
+    Vec3 p(1, 2, 3), v(1.2, 0.4, -0.3), w(0.5, -0.8, 1.1);
+    Quat q(0.5, 0.5, -0.5, 0.5);
+    double t = 0;
+    const auto kept = [&] {
+      const Mat3 R = q.toRotationMatrix();
+      Vec6 twist;
+      twist << R.transpose() * (v - flow), R.transpose() * w;
+      const Vec6 momentum = mass * twist;
+      const Vec3 linear = R * momentum.head<3>(), at = p - t * flow;
+      Eigen::Matrix<double, 7, 1> all;
+      all << linear, R * momentum.tail<3>() + at.cross(linear), twist.dot(momentum);
+      return all;
+    };
+    const auto start = kept();
+    for (int k = 0; k < 500; ++k) {
+      move_freely(p, q, v, w, mass, inverse, flow, h);
+      t += h;
+    }
+    EXPECT_LT((kept() - start).cwiseAbs().maxCoeff(), 1e-11 * start.norm()) << h;
+  }
+}
+
+/// Without water the motion is that of turn_freely() and a straight path; backwards it returns.
+TEST(FreeMotion, OfABodyAloneIsThatOfTheBody) {
+  Mat6 mass = Mat6::Zero();
+  mass.diagonal() << 10, 10, 10, 4, 9, 7;
+  const Mat3 inertia = Vec3(4, 9, 7).asDiagonal();
+  Vec3 p(0, 0, 0), v(1, -2, 0.5), w(0.4, 1.5, 0.2), spin = w;
+  Quat q = Quat::Identity(), turned = q;
+  move_freely(p, q, v, w, mass, mass.inverse(), Vec3::Zero(), 0.1);
+  turn_freely(turned, spin, inertia, inertia.inverse(), 0.1);
+  EXPECT_LT((p - 0.1 * Vec3(1, -2, 0.5)).norm(), 1e-15);
+  EXPECT_LT((v - Vec3(1, -2, 0.5)).norm(), 1e-14);
+  EXPECT_LT((w - spin).norm(), 1e-14);
+  EXPECT_LT(q.angularDistance(turned), 1e-14);
+  v = -v;
+  w = -w;
+  move_freely(p, q, v, w, mass, mass.inverse(), Vec3::Zero(), 0.1);
+  EXPECT_LT(p.norm() + q.angularDistance(Quat::Identity()), 1e-14);
+}
+
 }  // namespace free_rotation_test
