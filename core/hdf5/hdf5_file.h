@@ -80,6 +80,12 @@ class Hdf5Reader {
   /// The first `count` of a list, which must be as long; what follows need not be readable.
   std::vector<double> first_numbers(const std::string& name, std::size_t count) const;
   std::vector<std::int64_t> first_integers(const std::string& name, std::size_t count) const;
+  /// Number of elements along each dimension; empty for a scalar.
+  std::vector<std::size_t> shape(const std::string& name) const;
+  /// A list of texts of fixed or variable length.
+  std::vector<std::string> texts(const std::string& name) const;
+  /// The names of the dimensions of a NetCDF variable; a dimension that has no name is called by an empty text.
+  std::vector<std::string> dimension_names(const std::string& name) const;
   /// Names of all datasets in a group and in the groups below it, from that group on.
   std::vector<std::string> datasets(const std::string& group) const;
 
@@ -108,6 +114,8 @@ class Hdf5Writer {
   void add(const std::string& name, const std::vector<double>& values);
   void add(const std::string& name, const VecX& values);
   void add(const std::string& name, const std::string& text);
+  /// A table of several dimensions, whose last index runs fastest.
+  void add(const std::string& name, const std::vector<std::size_t>& shape, const std::vector<double>& values);
   /// Writes to a temporary file and renames it, so that a failure leaves no half file. `synced`: also safe against a
   /// crash of the machine, since the bytes are on the disk before the rename. Throws FileError.
   void save(const std::filesystem::path& path, bool synced = false) const;

@@ -63,6 +63,19 @@ void Hdf5Writer::add(const std::string& name, const std::string& text) {
   demand_made(data.good() && H5Dwrite(data.get(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, text.c_str()) >= 0, name);
 }
 
+void Hdf5Writer::add(const std::string& name, const std::vector<std::size_t>& shape,
+                     const std::vector<double>& values) {
+  const std::vector<hsize_t> extent(shape.begin(), shape.end());
+  const Hdf5Handle space(H5Screate_simple(static_cast<int>(extent.size()), extent.data(), nullptr), H5Sclose);
+  const Hdf5Handle data(
+      H5Dcreate2(file_.get(), name.c_str(), H5T_NATIVE_DOUBLE, space.get(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+      H5Dclose);
+  demand_made(data.good() && H5Sget_simple_extent_npoints(space.get()) == static_cast<hssize_t>(values.size()), name);
+  demand_made(
+      values.empty() || H5Dwrite(data.get(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) >= 0,
+      name);
+}
+
 /// Waits until what was written to a file, or into a folder, is on the disk.
 static bool sync(const std::filesystem::path& path) {
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
