@@ -1,0 +1,52 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <string>
+#include <vector>
+
+#include "tests/support/csv_table.h"
+
+namespace oes_sphere_test {
+
+using namespace nilas;
+
+/// Linear interpolation in a column over the rising frequencies.
+double at(const test::Table& table, const std::string& column, double w) {
+  const auto& x = table["frequency_rad_s"];
+  const auto& y = table[column];
+  const auto above = static_cast<std::size_t>(std::upper_bound(x.begin(), x.end(), w) - x.begin());
+  const double share = (w - x[above - 1]) / (x[above] - x[above - 1]);
+  return (1 - share) * y[above - 1] + share * y[above];
+}
+
+/// The heave of the sphere in the ten regular waves of the task, in the frequency domain: |X| / |C - w^2 (m + A) + i w
+/// (B + damper)| with C = pi R^2 rho g. It is within the spread of the five programs, widened by 1 %, with and without
+/// damper, and within 1.1 % of InWave with HOTINT.
+TEST(OesSphere, RegularWavesAreWithinTheSpreadOfThePrograms) {
+  const std::string folder = std::string(NILAS_SOURCE_DIR) + "/tests/data/hydro/oes-sphere/";
+  const test::Table heave(folder + "heave.csv"), published(folder + "responses.csv");
+  constexpr double k_mass = 261.8e3, k_radius = 5, k_weight = 9810, k_margin = 0.01;
+  constexpr double k_pi = 3.14159265358979323846;
+  const std::vector<std::string> programs{"inwave_hotint", "inwave_linear", "marin_nonlinear", "nrel_nonlinear",
+                                          "proteusds_linear"};
+  const auto& periods = published["period_s"];
+  ASSERT_EQ(periods.size(), 30u);
+  for (std::size_t row = 0; row < periods.size(); ++row) {
+    const double w = 2 * k_pi / periods[row];
+    const std::complex<double> force(at(heave, "excitation_re_N_m", w), at(heave, "excitation_im_N_m", w));
+    const std::complex<double> stiffness(
+        k_pi * k_radius * k_radius * k_weight - w * w * (k_mass + at(heave, "added_mass_kg", w)),
+        w * (at(heave, "damping_Ns_m", w) + published["damper_Ns_m"][row]));
+    const double response = std::abs(force / stiffness);
+    std::vector<double> others;
+    for (const std::string& program : programs) others.push_back(published[program][row]);
+    const auto [low, high] = std::minmax_element(others.begin(), others.end());
+    EXPECT_GT(response, *low * (1 - k_margin)) << row;
+    EXPECT_LT(response, *high * (1 + k_margin)) << row;
+    EXPECT_NEAR(response / published["inwave_hotint"][row], 1, 0.011) << row;
+  }
+}
+
+}  // namespace oes_sphere_test
