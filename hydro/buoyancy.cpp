@@ -16,7 +16,8 @@ struct Afloat {
 
 class Buoyancy : public bodies::ForceModule {
  public:
-  Buoyancy(const Water& water, int threads) : water_(water), threads_(threads) {}
+  Buoyancy(const Water& water, int threads, bool without_vessel)
+      : water_(water), threads_(threads), without_vessel_(without_vessel) {}
   std::string name() const override { return "buoyancy"; }
   bool conservative() const override { return true; }
   bodies::VesselLoad load_on_vessel() const override { return bodies::VesselLoad::water; }
@@ -24,11 +25,15 @@ class Buoyancy : public bodies::ForceModule {
   double potential_energy(const bodies::Bodies& bodies) override;
 
  private:
+  bool is_lifted(const bodies::Bodies& bodies, std::size_t b) const {
+    return takes_water(bodies, static_cast<int>(b)) && !(without_vessel_ && bodies.kind[b] == bodies::BodyKind::vessel);
+  }
   void update(const bodies::Bodies& bodies);
   Submerged submerged(WetBody<Afloat>& body, const Mat3& R, const Vec3& p) const;
 
   Water water_;
   int threads_;
+  bool without_vessel_;
   std::vector<WetBody<Afloat>> list_;
   std::vector<std::size_t> moved_;  ///< Bodies in the water whose pose differs from the one of the last update.
 };
@@ -47,7 +52,7 @@ void Buoyancy::update(const bodies::Bodies& bodies) {
   for (std::size_t b = 0; b < list_.size(); ++b) {
     const Afloat& kept = list_[b].result;
     const bool same = kept.known && kept.p == bodies.p_GB[b] && kept.q.coeffs() == bodies.q_GB[b].coeffs();
-    if (!same && takes_water(bodies, static_cast<int>(b))) moved_.push_back(b);
+    if (!same && is_lifted(bodies, b)) moved_.push_back(b);
   }
   if (moved_.empty()) return;
   parallel_for(static_cast<std::ptrdiff_t>(moved_.size()), threads_, [&](std::ptrdiff_t i) {
@@ -60,7 +65,7 @@ void Buoyancy::update(const bodies::Bodies& bodies) {
 void Buoyancy::add_forces(const bodies::Bodies& bodies, double /*t*/, bodies::Wrenches& out) {
   update(bodies);
   for (std::size_t b = 0; b < list_.size(); ++b) {
-    if (!takes_water(bodies, static_cast<int>(b))) continue;
+    if (!is_lifted(bodies, b)) continue;
     const Submerged& wet = list_[b].result.wet;
     const Vec3 force(0, 0, water_.density * water_.gravity * wet.volume);
     out[b] += Wrench{force, (wet.centre - bodies.p_GB[b]).cross(force)};
@@ -71,7 +76,7 @@ double Buoyancy::potential_energy(const bodies::Bodies& bodies) {
   update(bodies);
   double moment = 0;  // of the displaced volume below the level [m^4]
   for (std::size_t b = 0; b < list_.size(); ++b) {
-    if (!takes_water(bodies, static_cast<int>(b))) continue;
+    if (!is_lifted(bodies, b)) continue;
     const Submerged& wet = list_[b].result.wet;
     moment += wet.volume * (water_.level - wet.centre.z());
   }
@@ -80,8 +85,8 @@ double Buoyancy::potential_energy(const bodies::Bodies& bodies) {
 
 }  // namespace
 
-std::unique_ptr<bodies::ForceModule> make_buoyancy(const Water& water, int threads) {
-  return std::make_unique<Buoyancy>(water, threads);
+std::unique_ptr<bodies::ForceModule> make_buoyancy(const Water& water, int threads, bool without_vessel) {
+  return std::make_unique<Buoyancy>(water, threads, without_vessel);
 }
 
 }  // namespace nilas::hydro
