@@ -33,6 +33,9 @@ int run_action(const nilas::commands::Action& action) {
   } catch (const std::filesystem::filesystem_error& e) {
     std::cerr << "error: " << e.what() << "\n";
     return nilas::exit_file;
+  } catch (const nilas::Interruption& e) {
+    std::cerr << e.what() << "\n";
+    return nilas::exit_interrupted;
   } catch (const nilas::SimulationError& e) {
     std::cerr << "error: " << e.what() << "\n";
     return nilas::exit_numerics;
@@ -94,6 +97,7 @@ int main(int argc, char** argv) {
   nilas::commands::add_check(app, action);
   nilas::commands::add_hull(app, action);
   nilas::commands::add_field(app, action);
+  nilas::commands::add_hydro(app, action);
   nilas::commands::add_solve(app, action);
   nilas::commands::add_solvers(app, action);
   nilas::commands::add_verify(app, action);

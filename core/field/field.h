@@ -50,6 +50,9 @@ FieldResult grid_field(const GridSpec& spec);
 /// compressive_strength_Pa, fracture_toughness_Pa_sqrt_m; `fixed` where true. Clockwise rings are reversed.
 /// worst_overlap is measured on reading. Throws FileError, and InputError naming file and feature (counted from 1).
 FieldResult read_field(const std::filesystem::path& file);
+/// Multiplies the lengths and strengths of a field by `scale`, its toughness by the power 1.5, as Froude's and Cauchy's
+/// laws have it.
+void scale_field(FieldResult& field, double scale);
 void write_field(const FieldResult& field, const std::filesystem::path& file);
 
 }  // namespace nilas::field

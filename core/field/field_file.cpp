@@ -163,6 +163,20 @@ json feature_of(const bodies::WeakLine& line) {
 
 }  // namespace
 
+void scale_field(FieldResult& field, double scale) {
+  const double by_toughness = scale * std::sqrt(scale);
+  for (FieldFloe& floe : field.floes) {
+    for (Vec2& p : floe.outline) p *= scale;
+    floe.thickness *= scale;
+    floe.flexural_strength *= scale;
+    floe.compressive_strength *= scale;
+    floe.fracture_toughness *= by_toughness;
+  }
+  for (bodies::WeakLine& line : field.weak_lines)
+    for (Vec2& p : line.points) p *= scale;
+  field.worst_overlap *= scale;
+}
+
 FieldResult read_field(const std::filesystem::path& file) {
   FieldResult result = FieldReader(file).read();
   result.worst_overlap = deepest_between(result.floes);

@@ -20,9 +20,10 @@ struct Hull {
   std::vector<geometry::TriangleMesh> parts;  ///< convex, frame V
 };
 
-/// Reads a hull folder, or a single convex STL file, which is then its own only part. Throws FileError (missing,
-/// unreadable) or InputError (open mesh, part not convex, ...), naming the file.
-Hull read_hull(const std::filesystem::path& path);
+/// Reads a hull folder, or a single convex STL file, which is then its own only part. Coordinates are multiplied by
+/// `scale` > 0. Throws FileError (missing, unreadable) or InputError (open mesh, part not convex, ...), naming the
+/// file.
+Hull read_hull(const std::filesystem::path& path, double scale = 1);
 /// Writes the hull's files into an existing folder; NewHullFolder removes files of an earlier hull. Throws FileError.
 void write_hull(const Hull& hull, const std::filesystem::path& folder, const std::string& json);
 

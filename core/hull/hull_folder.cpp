@@ -47,9 +47,7 @@ void demand_described_parts(const fs::path& description, std::size_t parts) {
                                  description.string(), json["parts"].dump(), parts));
 }
 
-}  // namespace
-
-Hull read_hull(const fs::path& path) {
+Hull as_stored(const fs::path& path) {
   Hull hull;
   if (!is_folder(path)) {
     hull.fluid = read_sound(path);
@@ -65,6 +63,17 @@ Hull read_hull(const fs::path& path) {
     hull.parts.push_back(read_sound(file));
     demand_convex(hull.parts.back(), file, "");
   }
+  return hull;
+}
+
+}  // namespace
+
+Hull read_hull(const fs::path& path, double scale) {
+  NILAS_DEMAND(scale > 0);
+  Hull hull = as_stored(path);
+  for (Vec3& p : hull.fluid.vertices) p *= scale;
+  for (geometry::TriangleMesh& part : hull.parts)
+    for (Vec3& p : part.vertices) p *= scale;
   return hull;
 }
 

@@ -18,6 +18,7 @@
 #include "core/scene/elements/output_scene.h"
 #include "core/scene/elements/vessel_scene.h"
 #include "core/scene/elements/water_scene.h"
+#include "core/scene/elements/wind_scene.h"
 
 namespace nilas::scene {
 
@@ -38,6 +39,7 @@ struct InputFile {
 
 struct Scene {
   std::string name = "scene";
+  double scale = 1;            ///< factor of lengths for files, and for constants of the program: --scale
   std::filesystem::path file;  ///< file that it was read from
   TimeScene time;
   Vec3 gravity{0, 0, -defaults::k_gravity};
@@ -46,6 +48,7 @@ struct Scene {
   ContactScene contact;
   std::optional<WaterScene> water;
   std::optional<HydroScene> hydro;
+  std::optional<WindScene> wind;
   std::optional<TankScene> tank;
   std::optional<VesselScene> vessel;
   std::optional<IceScene> ice;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/bodies/module.h"
@@ -51,6 +52,12 @@ double Simulation::total(std::string_view name) const {
     }
   NILAS_DEMAND(known);
   return sum;
+}
+std::vector<std::pair<std::string, std::vector<bodies::RunFigure>>> Simulation::figures() const {
+  std::vector<std::pair<std::string, std::vector<bodies::RunFigure>>> all;
+  for (const auto& module : world_->parts.modules)
+    if (auto own = module->figures(); !own.empty()) all.emplace_back(module->name(), std::move(own));
+  return all;
 }
 double Simulation::of_body(std::string_view name, std::int64_t id) const {
   bool known = name == bodies::k_damage;

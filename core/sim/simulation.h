@@ -49,6 +49,8 @@ class Simulation {
   /// A sum since the start over the modules that know this name. It is 0 where none does, if the name is one of
   /// bodies::k_run_sums. Throws ContractError for any other name.
   double total(std::string_view name) const;
+  /// The figures that modules give of the run so far, with the name of each module that gives any.
+  std::vector<std::pair<std::string, std::vector<bodies::RunFigure>>> figures() const;
   /// The same for one body, by its id; the name that may be unknown to all modules is bodies::k_damage.
   double of_body(std::string_view name, std::int64_t id) const;
 

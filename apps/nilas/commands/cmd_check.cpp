@@ -7,6 +7,7 @@
 #include "apps/nilas/commands/commands.h"
 #include "apps/nilas/commands/scene_flags.h"
 #include "apps/nilas/reports/check_equilibrium.h"
+#include "apps/nilas/reports/check_mooring.h"
 #include "apps/nilas/reports/check_periods.h"
 #include "contact/detect/detector.h"
 #include "core/output/text/console.h"
@@ -66,6 +67,7 @@ int check(const CheckOptions& options) {
   if (scene.vessel) progress.next("finding how the vessel floats");
   const auto equilibrium = vessel_equilibrium(scene, parts);
   const PeriodsReport periods = natural_periods_report(scene, parts);
+  const auto mooring = mooring_report(parts);
   progress.end();
   if (options.json) {
     auto modules = nlohmann::ordered_json::object();
@@ -83,6 +85,7 @@ int check(const CheckOptions& options) {
                                   {"memory_MB_estimated", e.memory_MB}};
     if (equilibrium) result["equilibrium"] = equilibrium->json;
     result["natural_periods"] = periods.json;
+    if (mooring) result["mooring"] = mooring->json;
     std::cout << result.dump(2) << "\n";
     return exit_done;
   }
@@ -98,6 +101,7 @@ int check(const CheckOptions& options) {
     for (const auto& note : *notes) std::cout << output::wrapped("note: " + note, k_indent) << "\n";
   if (equilibrium) std::cout << equilibrium->text;
   std::cout << periods.text;
+  if (mooring) std::cout << mooring->text;
   std::cout << fmt::format("\n{} bodies ({} floes), about {} contacts, about {:.0f} MB, {} steps of {} s\n", e.bodies,
                            parts.info.floes, e.contacts, std::ceil(e.memory_MB), scene::number_of_steps(scene.time),
                            scene.time.step);

@@ -115,6 +115,7 @@ class Run {
     input.brash_mass = simulation.total(bodies::k_brash_mass);
     input.crushed_mass = simulation.total(bodies::k_crushed_mass);
     input.extruded_mass = simulation.total(bodies::k_extruded_mass);
+    input.figures = simulation.figures();
     if (twins_) input.twins = twins_->statistics(folder_.statistics().window());
     const auto twins = input.twins;
     input.ice_load = folder_.statistics().ice_load(twins ? &*twins : nullptr);
@@ -136,9 +137,12 @@ class Run {
     if (options_.json)
       std::cout << summary.dump(2) << "\n";
     else
-      console.close(output::closing_account(
-          folder_.statistics(), {.wall_s = wall, .processor_s = processor, .interrupted = ending.interrupted},
-          folder_.path(), ice, twins ? &*twins : nullptr, ice_load));
+      console.close(output::closing_account(folder_.statistics(),
+                                            {.wall_s = wall,
+                                             .processor_s = processor,
+                                             .figures = simulation.figures(),
+                                             .interrupted = ending.interrupted},
+                                            folder_.path(), ice, twins ? &*twins : nullptr, ice_load));
     return ending.exit_code;
   }
 
@@ -243,6 +247,8 @@ class Run {
         console.progress(simulation.time(), k + 1 - done);
         if (checkpoint_steps > 0 && (k + 1) % checkpoint_steps == 0) write_checkpoint(simulation);
       }
+    } catch (const Interruption&) {
+      return interrupted_at(simulation.time());  // within a step, which no checkpoint may hold
     } catch (const SimulationError& e) {
       folder_.store_last(simulation.last_problem());
       return {"failed", exit_numerics, e.what()};
@@ -314,7 +320,8 @@ class Run {
 
 /// Throws InputError for flags that would change what a run has done already.
 void demand_resumable(const CLI::App& command) {
-  for (const char* flag : {"scene", "--dt", "--solver", "--law", "--seed", "--set", "--twins", "--out", "--force"})
+  for (const char* flag :
+       {"scene", "--dt", "--solver", "--law", "--seed", "--scale", "--set", "--twins", "--out", "--force"})
     if (command.get_option(flag)->count() > 0)
       throw InputError(
           std::string("--resume: a run continues with its own settings in its own folder; remove ") + flag +

@@ -15,6 +15,7 @@ void add_run(CLI::App& app, Action& action);
 void add_check(CLI::App& app, Action& action);
 void add_hull(CLI::App& app, Action& action);
 void add_field(CLI::App& app, Action& action);
+void add_hydro(CLI::App& app, Action& action);
 void add_solve(CLI::App& app, Action& action);
 void add_solvers(CLI::App& app, Action& action);
 void add_verify(CLI::App& app, Action& action);

@@ -5,11 +5,20 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/scene/spec/values.h"
 
 namespace nilas::commands {
 
 void add_value_flags(CLI::App& command, SceneFlags& flags) {
   command.add_option("--seed", flags.seed, "Uses this random seed, a whole number, instead of the scene's.");
+  command
+      .add_option("--scale", flags.scale,
+                  "Multiplies all lengths of the scene by this number, above 0, and all other values by Froude's and "
+                  "Cauchy's laws. Values of other flags are those before.")
+      ->check([](const std::string& text) -> std::string {
+        const auto value = scene::parse_number(text);
+        return value && *value > 0 ? "" : "found '" + text + "'; allowed: a finite number > 0";
+      });
   command
       .add_option(
           "--set", flags.set,
@@ -56,7 +65,7 @@ scene::Scene read_flagged_scene(const SceneFlags& flags) {
   if (flags.checkpoint_every)
     overrides.emplace_back("output/@checkpoint_every", fmt::format("{}", *flags.checkpoint_every));
   if (flags.seed) overrides.emplace_back("seed/@value", fmt::format("{}", *flags.seed));
-  return scene::read_scene(flags.file, overrides);
+  return scene::read_scene(flags.file, overrides, flags.scale);
 }
 
 }  // namespace nilas::commands

@@ -16,11 +16,12 @@ struct SceneFlags {
   std::optional<double> until, dt, checkpoint_every;
   std::optional<std::string> solver, law, statistics;
   std::optional<long> seed;
+  double scale = 1;
 };
 
 /// Adds SCENE and the override flags to a command. Returns the option SCENE.
 CLI::Option* add_scene_flags(CLI::App& command, SceneFlags& flags);
-/// Adds --seed and --set alone, for a command that simulates nothing.
+/// Adds --seed, --scale and --set alone, for a command that simulates nothing.
 void add_value_flags(CLI::App& command, SceneFlags& flags);
 /// Reads the scene with the overrides applied. Throws InputError for a --set that is not PATH=VALUE.
 scene::Scene read_flagged_scene(const SceneFlags& flags);

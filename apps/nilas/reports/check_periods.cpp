@@ -16,7 +16,7 @@ PeriodsReport natural_periods_report(const scene::Scene& scene, const sim::World
         {{"motion", motion}, {"held_by", held_by}, {"period_s", period}, {"steps", period / scene.time.step}});
   };
   for (const sim::NaturalPeriod& mode : sim::natural_periods(scene, parts))
-    add(mode.motion, mode.on_cells ? "the load cells" : "the water", mode.period,
+    add(mode.motion, mode.held_by(), mode.period,
         mode.on_cells && mode.period < sim::k_least_steps_on_cells * scene.time.step);
   if (const double period = sim::floe_heave_period(scene, parts); period > 0) add("floe heave", "the water", period);
   if (!report.text.empty()) report.text = "\nnatural periods, without added mass:\n" + report.text;

@@ -131,6 +131,9 @@ std::string closing_account(const RunStatistics& statistics, const RunEnding& en
   text += reaction_lines(statistics.reactions());
   if (ice_load) text += ice_load_lines(*ice_load, statistics.load_error(twins).value());
   for (const StructureLoad& structure : told_structures(statistics)) text += structure_lines(structure);
+  for (const auto& [module, figures] : ending.figures)
+    for (const bodies::RunFigure& figure : figures)
+      if (!figure.label.empty()) text += account_line(figure.label, figure.text);
   if (twins != nullptr) text += twin_lines(*twins);
   if (ice)
     text += fmt::format("{:<22}{} at the start, {} at the end\n{:<22}{:.3g} kg crushed, {:.3g} kg brash\n", "floes",

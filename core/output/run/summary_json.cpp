@@ -138,6 +138,8 @@ Json summary_json(const sim::RunInfo& info, const RunStatistics& statistics, con
     if (input.ice_load->tow) summary["tow_force"] = tow_force_json(*input.ice_load->tow);
   }
   summary["loads"] = loads_json(statistics);
+  for (const auto& [module, figures] : input.figures)
+    for (const bodies::RunFigure& figure : figures) summary["figures"][module][figure.name] = figure.value;
   if (!info.structures.empty()) summary["structures"] = structures_json(statistics.structure_loads());
   if (const auto error = statistics.load_error(twins)) summary["load_error"] = load_error_json(*error, twins);
   if (twins != nullptr) summary["twins"] = twins_json(*twins);

@@ -4,7 +4,10 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
+#include <vector>
 
+#include "core/bodies/module.h"
 #include "core/output/loads/run_statistics.h"
 #include "core/sim/account/step_record.h"
 
@@ -26,6 +29,8 @@ struct SummaryInput {
   double crushed_mass = 0;   ///< mass of ice that hull and bodies crushed [kg]
   double brash_mass = 0;     ///< mass of pieces too small to follow [kg]
   double extruded_mass = 0;  ///< mass of crushed ice that was cut out of its floes [kg]
+  /// Figures of the run by the modules that give them, with the modules' names.
+  std::vector<std::pair<std::string, std::vector<bodies::RunFigure>>> figures;
   std::optional<TwinStatistics> twins;
   std::optional<IceLoad> ice_load;  ///< present with a vessel
 };

@@ -69,6 +69,15 @@ static void check_reference(const SceneElement& root, const SceneElement& contac
     refuse(contact, "law", "law '" + *text_of(contact, "law") + "'", "coulomb, frictionless");
   if (const SceneElement* fracture = child_of(root, "fracture"))
     refuse(*fracture, "", "<fracture>", "ice that cannot break");
+  if (const SceneElement* hydro = child_of(root, "hydro"))
+    if (const SceneElement* added = child_of(*hydro, "added_mass"))
+      refuse(*added, "", "<added_mass>", "a scene without it");
+  if (const SceneElement* hydro = child_of(root, "hydro"))
+    if (const SceneElement* loads = child_of(*hydro, "wave_loads"))
+      refuse(*loads, "", "<wave_loads>", "a scene without it");
+  if (const SceneElement* hydro = child_of(root, "hydro"))
+    if (const SceneElement* radiation = child_of(*hydro, "radiation"))
+      refuse(*radiation, "", "<radiation>, whose memory is a state", "a scene without it");
   if (text_of(contact, "gyroscopic") == "false") refuse(contact, "gyroscopic", "gyroscopic=\"false\"", "true");
   if (const SceneElement* output = child_of(root, "output"); output && number_of(*output, "checkpoint_every") > 0.0)
     refuse(*output, "checkpoint_every", "checkpoints, since what CVODE remembers cannot be saved", "0");
@@ -78,6 +87,8 @@ static void check_reference(const SceneElement& root, const SceneElement& contac
       refuse(element, "shape", "the free cylinder '" + text_of(element, "name").value_or("") + "'",
              "free spheres, boxes, meshes and floes; fixed cylinders");
     if (element.name != "vessel") continue;
+    if (const SceneElement* manoeuvring = child_of(element, "manoeuvring"))
+      refuse(*manoeuvring, "", "<manoeuvring>, whose rudder and propeller have a state", "a scene without it");
     for (const auto& part : element.children)
       if (choice_of<SolidShapeKind>(part, "shape") == SolidShapeKind::cylinder)
         refuse(part, "shape", "the cylinder '" + text_of(part, "name").value_or("") + "' as a part of the vessel",

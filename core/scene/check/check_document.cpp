@@ -4,7 +4,7 @@
 #include <set>
 
 #include "core/scene/schema/schema.h"
-#include "core/scene/schema/values.h"
+#include "core/scene/spec/values.h"
 
 namespace nilas::scene {
 

@@ -3,7 +3,7 @@
 
 #include "core/scene/check/cross_checks.h"
 #include "core/scene/schema/attribute_values.h"
-#include "core/scene/schema/values.h"
+#include "core/scene/spec/values.h"
 
 namespace nilas::scene {
 

@@ -50,6 +50,10 @@ void check_vessel(const SceneElement& root, const SceneElement& vessel, std::vec
   check_flotation(root, vessel, faults);
   check_parts(root, vessel, faults);
   check_rods(root, vessel, faults);
+  check_thrusters(root, vessel, faults);
+  check_manoeuvring(root, vessel, faults);
+  check_mooring(root, vessel, faults);
+  check_remote_control(root, vessel, faults);
   if (const SceneElement* mass = child_of(vessel, "mass")) check_inertia(*mass, faults);
 }
 

@@ -3,7 +3,7 @@
 #include <map>
 
 #include "core/scene/schema/attribute_values.h"
-#include "core/scene/schema/values.h"
+#include "core/scene/spec/values.h"
 
 namespace nilas::scene {
 
@@ -18,10 +18,11 @@ static void check_time(const SceneElement& time, std::vector<Fault>& faults) {
 static void check_gravity(const SceneElement& root, std::vector<Fault>& faults) {
   const SceneElement* hydro = child_of(root, "hydro");
   const SceneElement* gravity = child_of(root, "gravity");
-  if (!hydro || !gravity || !(child_of(*hydro, "buoyancy") || child_of(*hydro, "drag"))) return;
+  if (!hydro || !gravity || !needs_water(*hydro)) return;
   const auto g = numbers_of(*gravity, "value");
   if (g && (g->at(0) != 0 || g->at(1) != 0 || g->at(2) > 0))
-    faults.push_back(fault_of(*gravity, "value", "with buoyancy or drag gravity must point along -Z; allowed: 0 0 -g"));
+    faults.push_back(
+        fault_of(*gravity, "value", "with loads of the water gravity must point along -Z; allowed: 0 0 -g"));
 }
 
 /// Names of the vessel, its parts and rods, the bodies and the floes must all differ.
@@ -82,11 +83,16 @@ static void check_fracture(const SceneElement& root, const SceneElement& fractur
 
 void cross_check(const SceneElement& root, std::vector<Fault>& faults) {
   check_gravity(root, faults);
+  check_added_mass(root, faults);
+  check_waves(root, faults);
+  check_database(root, faults);
   check_names(root, faults);
   for (const auto& element : root.children) {
     if (element.name == "time") check_time(element, faults);
     if (element.name == "contact") check_contact(root, element, faults);
     if (element.name == "vessel") check_vessel(root, element, faults);
+    if (element.name == "vessel") check_wind_area(element, faults);
+    if (element.name == "hydro") check_propeller_wash(root, element, faults);
     if (element.name == "ice") {
       check_ice(element, faults);
       check_vary(element, faults);

@@ -9,6 +9,11 @@
 #include "core/base/math.h"
 #include "core/choices/vessel_choices.h"
 #include "core/scene/elements/body_scene.h"
+#include "core/scene/elements/manoeuvring_scene.h"
+#include "core/scene/elements/mooring_scene.h"
+#include "core/scene/elements/remote_scene.h"
+#include "core/scene/elements/thruster_scene.h"
+#include "core/scene/elements/wind_scene.h"
 
 namespace nilas::scene {
 
@@ -89,6 +94,13 @@ struct VesselScene {
   std::optional<CarriageScene> carriage;
   std::vector<PartScene> parts;
   std::vector<RodScene> rods;
+  std::vector<ThrusterScene> thrusters;
+  std::optional<ControlScene> control;
+  std::optional<WindAreaScene> wind_area;
+  std::optional<ManoeuvringScene> manoeuvring;
+  std::optional<ManoeuvreScene> manoeuvre;
+  std::optional<MooringScene> mooring;
+  std::optional<RemoteControlScene> remote_control;
 
   bool operator==(const VesselScene&) const = default;
 };

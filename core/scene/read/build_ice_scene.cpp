@@ -2,7 +2,7 @@
 
 #include "core/scene/read/build_scene.h"
 #include "core/scene/schema/attribute_values.h"
-#include "core/scene/schema/ice_presets.h"
+#include "core/scene/spec/ice_presets.h"
 
 namespace nilas::scene {
 

@@ -46,8 +46,9 @@ static WaterScene build_water(const SceneElement& element) {
   WaterScene water;
   assign(water.density, element, "density");
   assign(water.level, element, "level");
-  if (const auto* current = child_of(element, "current"))
-    assign(water.current.emplace().velocity, *current, "velocity");
+  if (const auto* current = child_of(element, "current")) water.current = build_current(*current);
+  for (const auto& child : element.children)
+    if (child.name == "waves") water.waves.push_back(build_waves(child));
   return water;
 }
 
@@ -59,11 +60,24 @@ static HydroScene build_hydro(const SceneElement& element) {
     assign(hydro.drag->form, *drag, "form");
     assign(hydro.drag->skin, *drag, "skin");
   }
+  if (const auto* added = child_of(element, "added_mass")) {
+    hydro.added_mass.emplace();
+    assign(hydro.added_mass->floes, *added, "floes");
+    assign(hydro.added_mass->vessel, *added, "vessel");
+    assign(hydro.added_mass->matrix, *added, "matrix");
+    assign(hydro.added_mass->at, *added, "at");
+  }
+  if (const auto* loads = child_of(element, "wave_loads")) hydro.wave_loads = build_wave_loads(*loads);
+  if (const auto* radiation = child_of(element, "radiation")) hydro.radiation = build_radiation(*radiation);
+  hydro.restoring = child_of(element, "restoring") != nullptr;
+  if (const auto* database = child_of(element, "database")) hydro.database = build_database(*database);
   if (const auto* drag = child_of(element, "virtual_drag")) {
     hydro.virtual_drag.emplace();
     assign(hydro.virtual_drag->coefficient, *drag, "coefficient");
     assign(hydro.virtual_drag->velocity, *drag, "velocity");
   }
+  if (const auto* wash = child_of(element, "propeller_wash"))
+    for (const auto& jet : wash->children) hydro.jets.push_back(build_jet(jet));
   return hydro;
 }
 
@@ -201,6 +215,7 @@ static void build_element(Scene& scene, const SceneElement& element) {
   if (name == "contact") scene.contact = build_contact(element);
   if (name == "water") scene.water = build_water(element);
   if (name == "hydro") scene.hydro = build_hydro(element);
+  if (name == "wind") scene.wind = build_wind(element);
   if (name == "tank") scene.tank = build_tank(element);
   if (name == "vessel") scene.vessel = build_vessel_scene(element);
   if (name == "fracture") scene.fracture = build_fracture(element);
@@ -211,6 +226,7 @@ static void build_element(Scene& scene, const SceneElement& element) {
 Scene build_scene(const SceneElement& root) {
   Scene scene;
   assign(scene.name, root, "name");
+  assign(scene.scale, root, "scale");
   for (const auto& element : root.children) build_element(scene, element);
   if (const auto* ice = child_of(root, "ice")) scene.ice = build_ice_scene(*ice, child_of(root, "fracture"));
   return scene;

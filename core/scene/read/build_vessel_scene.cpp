@@ -1,3 +1,4 @@
+#include "core/scene/read/build_remote_scene.h"
 #include "core/scene/read/build_scene.h"
 #include "core/scene/schema/attribute_values.h"
 
@@ -90,10 +91,18 @@ VesselScene build_vessel_scene(const SceneElement& element) {
   if (const auto* hull = child_of(element, "hull")) vessel.generate = build_generate(*hull);
   if (const auto* mass = child_of(element, "mass")) vessel.mass = build_mass(*mass);
   if (const auto* carriage = child_of(element, "carriage")) vessel.carriage = build_carriage(*carriage);
+  if (const auto* area = child_of(element, "wind_area")) vessel.wind_area = build_wind_area(*area);
+  if (const auto* manoeuvring = child_of(element, "manoeuvring"))
+    vessel.manoeuvring = build_manoeuvring_scene(*manoeuvring);
+  if (const auto* manoeuvre = child_of(element, "manoeuvre")) vessel.manoeuvre = build_manoeuvre_scene(*manoeuvre);
+  if (const auto* mooring = child_of(element, "mooring")) vessel.mooring = build_mooring_scene(*mooring);
+  if (const auto* remote = child_of(element, "remote_control"))
+    vessel.remote_control = build_remote_control_scene(*remote);
   for (const auto& child : element.children) {
     if (child.name == "part") vessel.parts.push_back(build_part(child));
     if (child.name == "rod") vessel.rods.push_back(build_rod(child));
   }
+  build_thrusters_scene(vessel, element);
   return vessel;
 }
 

@@ -11,6 +11,7 @@
 #include <set>
 
 #include "core/base/file_bytes.h"
+#include "core/choices/database_files.h"
 #include "core/scene/schema/attribute_values.h"
 #include "core/scene/schema/schema.h"
 
@@ -195,6 +196,9 @@ std::vector<InputFile> name_by_copies(SceneElement& root) {
   for_each_path(root, [&](const SceneElement& element, SceneAttribute& attribute, ValueType type) {
     if (element.name == "input") return;
     const std::string copy = k_input_folder + ("/" + names.of(attribute.value));
+    if (element.name == "database")
+      for (const auto& file : database_files(attribute.value))
+        add(file, fs::path(copy).replace_extension(file.extension()).string());
     if (type == ValueType::hull && fs::is_directory(attribute.value))
       for (const auto& file : hull_files(attribute.value)) add(file, copy + "/" + file.filename().string());
     else

@@ -1,7 +1,7 @@
 #include "core/scene/read/old_names.h"
 
 #include "core/scene/schema/schema.h"
-#include "core/scene/schema/values.h"
+#include "core/scene/spec/values.h"
 
 namespace nilas::scene {
 

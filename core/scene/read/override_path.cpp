@@ -2,7 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/scene/read/read_scene.h"
-#include "core/scene/schema/values.h"
+#include "core/scene/spec/values.h"
 
 namespace nilas::scene {
 

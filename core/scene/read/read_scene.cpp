@@ -9,10 +9,12 @@
 #include "core/scene/check/implausible_values.h"
 #include "core/scene/document/places.h"
 #include "core/scene/read/build_scene.h"
+#include "core/scene/read/include_mooring.h"
 #include "core/scene/read/input_files.h"
 #include "core/scene/read/old_names.h"
 #include "core/scene/read/overrides.h"
 #include "core/scene/read/resolve.h"
+#include "core/scene/read/scale_scene.h"
 
 namespace nilas::scene {
 
@@ -61,7 +63,8 @@ static std::string fingerprint(SceneElement root) {
   return text_sha256(write_document(root));
 }
 
-Scene read_scene(const std::filesystem::path& file, const Overrides& overrides) {
+Scene read_scene(const std::filesystem::path& file, const Overrides& overrides, double scale) {
+  NILAS_DEMAND(scale > 0);
   std::vector<Fault> faults;
   SceneNotes notes;
   std::error_code ignored;
@@ -69,10 +72,12 @@ Scene read_scene(const std::filesystem::path& file, const Overrides& overrides) 
     throw FileError("cannot open scene file " + file.string() + moved);
   SceneElement root = parse_document(read_text(file), file.string());
   check_root_name(root, faults);
+  include_mooring(root, file, faults);
   apply_overrides(root, overrides, faults);
   std::vector<Fault> warnings = replace_old_names(root);
   check_document(root, faults);
   resolve_defaults(root, file, notes);
+  if (scale != 1) scale_scene(root, scale, faults, notes);
   cross_check(root, faults);
   check_files(root, faults);
   if (!faults.empty()) throw_sorted(std::move(faults));

@@ -15,8 +15,9 @@ using Overrides = std::vector<std::pair<std::string, std::string>>;
 /// Splits PATH=VALUE of --set; the '=' inside [@name='box'] does not count. Throws InputError.
 std::pair<std::string, std::string> split_override(const std::string& text);
 
-/// Reads a scene. Throws SceneError with every fault (file:line:column, element, found, allowed, nearest name), and
-/// FileError when the file cannot be opened.
-Scene read_scene(const std::filesystem::path& file, const Overrides& overrides = {});
+/// Reads a scene, with the overrides, and then scales its lengths by `scale` > 0 and all else by Froude's and Cauchy's
+/// laws. Throws SceneError with every fault (file:line:column, element, found, allowed, nearest name), and FileError
+/// when the file cannot be opened.
+Scene read_scene(const std::filesystem::path& file, const Overrides& overrides = {}, double scale = 1);
 
 }  // namespace nilas::scene

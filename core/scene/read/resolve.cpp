@@ -7,7 +7,7 @@
 #include "core/scene/scene.h"
 #include "core/scene/schema/attribute_values.h"
 #include "core/scene/schema/schema.h"
-#include "core/scene/schema/values.h"
+#include "core/scene/spec/values.h"
 
 namespace nilas::scene {
 
@@ -137,6 +137,8 @@ class Resolver {
     }
     if (element.is_root) note_idle_strengths(element);
     if (element.is_root) note_idle_fracture(element);
+    if (element.is_root) note_idle_flows(element);
+    if (element.is_root) note_idle_waves(element);
     if (element.name != "carriage" || !child_of(element, "path")) return;
     for (const char* attribute : {"speed", "heading_deg", "ramp"})
       if (is_given_nonzero(element, attribute)) note(where_of(element, attribute), "no effect with <path>");
@@ -198,6 +200,33 @@ class Resolver {
     if (fracture->children.empty()) note(fracture->path, "no effect: it names no <crushing>, <bending> or <splitting>");
   }
 
+  /// Notes currents and jets that no drag feels, and a wind or a vessel's area that stands alone.
+  void note_idle_flows(const SceneElement& root) {
+    const SceneElement *water = child_of(root, "water"), *hydro = child_of(root, "hydro");
+    const SceneElement *vessel = child_of(root, "vessel"), *wind = child_of(root, "wind");
+    const bool drag = hydro && is_named(*hydro, "drag");
+    const SceneElement* current = water ? child_of(*water, "current") : nullptr;
+    for (const char* table : {"profile", "series"})
+      if (current && !drag && attribute_of(*current, table))
+        note(where_of(*current, table), "no effect on bodies without <hydro><drag>");
+    const SceneElement* wash = hydro ? child_of(*hydro, "propeller_wash") : nullptr;
+    if (wash && !drag) note(wash->path, "no effect without <hydro><drag>");
+    const SceneElement* area = vessel ? child_of(*vessel, "wind_area") : nullptr;
+    if (area && !is_named(root, "wind")) note(area->path, "no effect without <wind>");
+    if (wind && !area && !is_named(root, "ice"))
+      note(wind->path, "no effect without <ice> or a vessel with <wind_area>");
+  }
+
+  /// Notes waves that exert no load of their own.
+  void note_idle_waves(const SceneElement& root) {
+    const SceneElement *water = child_of(root, "water"), *hydro = child_of(root, "hydro");
+    const SceneElement* waves = water ? child_of(*water, "waves") : nullptr;
+    if (!waves || (hydro && is_named(*hydro, "wave_loads"))) return;
+    const bool drag = hydro && is_named(*hydro, "drag");
+    note(waves->path, drag ? "without <hydro><wave_loads> waves act only through drag"
+                           : "no effect without <hydro><wave_loads> or <hydro><drag>");
+  }
+
   void note_condition(const std::string& where, const SceneElement& element, const Condition& condition) {
     note(where,
          "no effect with " + condition.attribute + " '" + attribute_of(element, condition.attribute)->value + "'");
@@ -215,7 +244,7 @@ class Resolver {
       if (spec->always && !is_named(element, spec->name) && has_effect(element, spec->applies))
         element.children.push_back(make_element(spec->name, &element, element.place));
     const SceneElement* hydro = element.is_root ? child_of(element, "hydro") : nullptr;
-    if (hydro && (child_of(*hydro, "buoyancy") || child_of(*hydro, "drag")) && !is_named(element, "water"))
+    if (hydro && needs_water(*hydro) && !is_named(element, "water"))
       element.children.push_back(make_element("water", &element, hydro->place));
   }
 

@@ -12,8 +12,8 @@
 #include "core/geometry/mesh_box.h"
 #include "core/scene/scene.h"
 #include "core/scene/schema/attribute_values.h"
-#include "core/scene/schema/ice_presets.h"
-#include "core/scene/schema/values.h"
+#include "core/scene/spec/ice_presets.h"
+#include "core/scene/spec/values.h"
 
 namespace nilas::scene {
 
@@ -52,11 +52,12 @@ std::optional<double> mesh_length(const fs::path& hull) {
   }
 }
 
-std::optional<double> hull_length(const SceneElement& vessel, const fs::path& folder) {
+std::optional<double> hull_length(const SceneElement& vessel, const fs::path& folder, double file_scale) {
   if (const SceneElement* form = child_of(vessel, "hull")) return number_of(*form, "length").value_or(k_model_length);
   const auto hull = text_of(vessel, "hull");
   if (!hull) return std::nullopt;
-  return mesh_length(folder / *hull);
+  const auto length = mesh_length(folder / *hull);
+  return length ? std::optional(*length * file_scale) : std::nullopt;
 }
 
 double path_speed(const fs::path& file) {
@@ -73,15 +74,33 @@ double path_speed(const fs::path& file) {
   return fastest;
 }
 
+/// The fastest current of a table over `coordinate`.
+double current_speed(const fs::path& file, const std::string& coordinate) {
+  double fastest = 0;
+  try {
+    for (const auto& row : read_csv(file.string(), {coordinate, "u_m_s", "v_m_s"}).rows)
+      fastest = std::max(fastest, std::hypot(row[1], row[2]));
+  } catch (const std::exception&) {
+    return 0;
+  }
+  return fastest;
+}
+
 /// The fastest motion that an element or its children name.
-double fastest_in(const SceneElement& element, const fs::path& folder) {
+double fastest_in(const SceneElement& element, const fs::path& folder, double file_scale) {
   double fastest = 0;
   if (const auto v = numbers_of(element, "velocity"); v && v->size() == 3)
     fastest = std::hypot(v->at(0), v->at(1), v->at(2));
   if (element.name == "carriage") fastest = std::max(fastest, std::abs(number_of(element, "speed").value_or(0)));
   if (element.name == "path")
-    if (const auto file = text_of(element, "file")) fastest = path_speed(folder / *file);
-  for (const auto& child : element.children) fastest = std::max(fastest, fastest_in(child, folder));
+    if (const auto file = text_of(element, "file")) fastest = path_speed(folder / *file) * std::sqrt(file_scale);
+  if (element.name == "current") {
+    if (const auto file = text_of(element, "profile"))
+      fastest += current_speed(folder / *file, "z_m") * std::sqrt(file_scale);
+    if (const auto file = text_of(element, "series"))
+      fastest += current_speed(folder / *file, "t_s") * std::sqrt(file_scale);
+  }
+  for (const auto& child : element.children) fastest = std::max(fastest, fastest_in(child, folder, file_scale));
   return fastest;
 }
 
@@ -107,9 +126,10 @@ std::string metres(double x) { return fmt::format("{:.3g} m", x); }
 }  // namespace
 
 ScaleDefaults::ScaleDefaults(const SceneElement& root, const fs::path& folder) {
-  if (const SceneElement* vessel = child_of(root, "vessel")) length_ = hull_length(*vessel, folder);
+  const double file_scale = number_of(root, "scale").value_or(1);
+  if (const SceneElement* vessel = child_of(root, "vessel")) length_ = hull_length(*vessel, folder, file_scale);
   if (length_ && !(*length_ > 0)) length_.reset();
-  speed_ = fastest_in(root, folder);
+  speed_ = fastest_in(root, folder, file_scale);
   fractures_ = child_of(root, "fracture") != nullptr;
   if (const SceneElement* ice = child_of(root, "ice")) {
     has_ice_ = true;
@@ -168,6 +188,13 @@ std::optional<std::string> ScaleDefaults::take(const std::string& element, const
   if (name == "time step") value = format_number(near_round_number(TimeScene{}.step * std::sqrt(scale)));
   if (name == "force_balance stiffness") value = three_digits(ForceBalanceScene{}.stiffness * std::pow(scale, 2));
   if (name == "force_balance damping") value = three_digits(ForceBalanceScene{}.damping * std::pow(scale, 2.5));
+  const double supply = length_.value_or(ControlScene::k_length) / ControlScene::k_length;
+  if (name == "thruster lag") value = three_digits(ThrusterScene{}.lag * std::sqrt(supply));
+  if (name == "thruster turn_rate_deg") value = three_digits(ThrusterScene{}.turn_rate_deg / std::sqrt(supply));
+  if (name == "control bandwidth") {
+    const Vec3 w = ControlScene{}.bandwidth / std::sqrt(supply);
+    value = three_digits(w.x()) + " " + three_digits(w.y()) + " " + three_digits(w.z());
+  }
   if (name == "contact tolerance") {
     const double decade = std::floor(std::log10(k_tolerance_share * std::max(speed_, 1e-300)) + 1e-9);
     const bool scaled = has_ice_ && speed_ > 0;

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/scene/schema/values.h"
+#include "core/scene/spec/values.h"
 
 namespace nilas::scene {
 
@@ -41,6 +41,11 @@ bool is_given_nonzero(const SceneElement& element, const std::string& attribute)
   return std::any_of(numbers.begin(), numbers.end(), [](double x) { return x != 0; });
 }
 
+bool needs_water(const SceneElement& hydro) {
+  return std::any_of(hydro.children.begin(), hydro.children.end(),
+                     [](const SceneElement& child) { return child.name != "virtual_drag"; });
+}
+
 void assign(double& target, const SceneElement& element, const std::string& attribute) {
   target = number_of(element, attribute).value_or(target);
 }
@@ -59,6 +64,10 @@ void assign(std::string& target, const SceneElement& element, const std::string&
 
 void assign(ParsedLaw& target, const SceneElement& element, const std::string& attribute) {
   if (const auto name = text_of(element, attribute)) target = parse_law(*name);
+}
+
+void assign(std::vector<double>& target, const SceneElement& element, const std::string& attribute) {
+  if (const auto numbers = numbers_of(element, attribute)) target = *numbers;
 }
 
 void assign(Vec3& target, const SceneElement& element, const std::string& attribute) {

@@ -24,6 +24,9 @@ bool is_true(const SceneElement& element, const std::string& attribute);
 /// Whether the attribute is given and not zero throughout.
 bool is_given_nonzero(const SceneElement& element, const std::string& attribute);
 
+/// Whether an element <hydro> asks for a load that depends on the water.
+bool needs_water(const SceneElement& hydro);
+
 /// Sets the target to the attribute's value; keeps the target where the attribute gives none.
 void assign(double& target, const SceneElement& element, const std::string& attribute);
 void assign(int& target, const SceneElement& element, const std::string& attribute);
@@ -34,6 +37,7 @@ template <ChoiceEnum Enum>
 void assign(Enum& target, const SceneElement& element, const std::string& attribute) {
   if (const auto name = text_of(element, attribute)) target = choice_named<Enum>(*name);
 }
+void assign(std::vector<double>& target, const SceneElement& element, const std::string& attribute);
 void assign(Vec3& target, const SceneElement& element, const std::string& attribute);
 void assign(Vec6& target, const SceneElement& element, const std::string& attribute);
 template <class Value>

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "core/choices/law.h"
-#include "core/scene/schema/schema_table.h"
-#include "core/scene/schema/values.h"
+#include "core/scene/spec/values.h"
+#include "core/scene/table/schema_table.h"
 
 namespace nilas::scene {
 
@@ -24,8 +24,9 @@ const std::vector<ElementSpec>& scene_schema() {
   static const std::vector<ElementSpec> table = [] {
     std::vector<ElementSpec> all;
     using namespace schema_table;
-    for (const auto& chapter : {run_elements(), contact_elements(), water_elements(), vessel_elements(), ice_elements(),
-                                fracture_elements(), body_elements(), output_elements()})
+    for (const auto& chapter :
+         {run_elements(), contact_elements(), water_elements(), vessel_elements(), wind_elements(), ice_elements(),
+          fracture_elements(), body_elements(), output_elements()})
       all.insert(all.end(), chapter.begin(), chapter.end());
     return all;
   }();

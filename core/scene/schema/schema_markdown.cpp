@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "core/scene/schema/schema.h"
-#include "core/scene/schema/values.h"
+#include "core/scene/spec/values.h"
 
 namespace nilas::scene {
 

@@ -3,7 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/scene/schema/schema.h"
-#include "core/scene/schema/values.h"
+#include "core/scene/spec/values.h"
 
 namespace nilas::scene {
 
@@ -20,7 +20,14 @@ static std::string numbers_text(const AttributeSpec& attribute) {
   std::string s = whole ? "a whole number" : "a finite number";
   if (attribute.max_count > 1) s = count_text(attribute) + (whole ? " whole numbers" : " finite numbers");
   if (const std::string range = attribute.range.text(); !range.empty()) s += " " + range;
-  return attribute.unit.empty() ? s : s + " [" + attribute.unit + "]";
+  return attribute.unit.empty() ? s : s + " [" + unit_text(attribute) + "]";
+}
+
+std::string unit_text(const AttributeSpec& attribute) {
+  std::string text = attribute.unit;
+  for (const OtherUnit& other : attribute.other_units)
+    text += "; with " + joined(other.applies.values) + " " + other.unit;
+  return text;
 }
 
 static std::string words_text(const AttributeSpec& attribute) {

@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "core/scene/schema/schema.h"
-#include "core/scene/schema/values.h"
+#include "core/scene/spec/values.h"
 
 namespace nilas::scene {
 
@@ -113,7 +113,7 @@ class XsdWriter {
 
   static std::string attribute_documentation(const AttributeSpec& spec) {
     std::string text = spec.doc;
-    if (!spec.unit.empty()) text += " [" + spec.unit + "]";
+    if (!spec.unit.empty()) text += " [" + unit_text(spec) + "]";
     if (!spec.built) text += " Not built in this version.";
     for (const auto& choice : spec.not_built) text += " '" + choice + "' is not built in this version.";
     return text;

@@ -15,6 +15,16 @@ Vec3 spin_momentum(const bodies::Bodies& bodies, const contact::StepMotion& moti
   return R * (bodies.inertia_B[b] * (R.transpose() * w));
 }
 
+/// Kinetic energy of the water that moves with a free body [J]. Its momentum p belongs to the velocity v - c relative
+/// to the flow c, and the energy is (v - c; w) . p / 2 + c . p: its change is the work of the water's inertia on the
+/// body.
+double water_energy(const bodies::Bodies& bodies, std::size_t b, const Mat3& R, const Vec3& v, const Vec3& w) {
+  Vec6 twist_B;
+  twist_B << R.transpose() * (v - bodies.flow), R.transpose() * w;
+  const Vec6 momentum = bodies.added_mass_B[b] * twist_B;
+  return 0.5 * twist_B.dot(momentum) + (R.transpose() * bodies.flow).dot(momentum.head<3>());
+}
+
 /// The work of these loads over the step [J]: their impulse times the mean of the velocities before and after.
 double work(const bodies::Bodies& bodies, const contact::StepMotion& motion, const std::vector<Wrench>& loads) {
   double sum = 0;
@@ -100,6 +110,8 @@ void EnergyAccount::velocity_step(const bodies::Bodies& bodies, const contact::S
           0.5 * motion.after.w[b].dot((vessel.inertia_after - vessel.inertia_before) * motion.before.w[b]);
     else
       kinetic_after_velocity_ += 0.5 * motion.after.w[b].dot(spin_momentum(bodies, motion, b, motion.after.w[b]));
+    if (bodies.has_added_mass())
+      kinetic_after_velocity_ += water_energy(bodies, b, motion.R[b], motion.after.v[b], motion.after.w[b]);
   }
 }
 
@@ -194,6 +206,7 @@ double kinetic_energy(const bodies::Bodies& bodies) {
     // I_G = R I_B R^T, so the spin energy is that of the angular velocity in body axes.
     const Vec3 w_B = bodies.R_GB[b].transpose() * bodies.w_GB[b];
     sum += 0.5 * bodies.mass[b] * bodies.v_GB[b].squaredNorm() + spin_energy(bodies.inertia_B[b], w_B);
+    if (bodies.has_added_mass()) sum += water_energy(bodies, b, bodies.R_GB[b], bodies.v_GB[b], bodies.w_GB[b]);
   }
   return sum;
 }
@@ -231,6 +244,12 @@ MomentumBalance momentum_balance(const bodies::Bodies& bodies, const contact::St
     if (k == vessel.index && vessel.on_carriage)
       spin = vessel.inertia_after * motion.after.w[b] - vessel.inertia_before * motion.before.w[b];
     add(motion.p[b], bodies.mass[b] * (motion.after.v[b] - motion.before.v[b]), spin, 1);
+    if (bodies.has_added_mass()) {
+      Vec6 change;
+      change << motion.after.v[b] - motion.before.v[b], motion.after.w[b] - motion.before.w[b];
+      const Vec6 of_water = bodies::turned(bodies.added_mass_B[b], motion.R[b]) * change;
+      add(motion.p[b], of_water.head<3>(), of_water.tail<3>(), 1);
+    }
     // Each source is added by itself: weight and buoyancy that cancel still set the scale for rounding.
     const auto add_loads = [&](const std::vector<Wrench>& wrenches) {
       add(motion.p[b], motion.h * wrenches[b].force, motion.h * wrenches[b].torque, -1);

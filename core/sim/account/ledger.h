@@ -71,7 +71,7 @@ class EnergyAccount {
   double potential_before_ = 0;
 };
 
-/// Kinetic energy of all bodies that move [J].
+/// Kinetic energy of all bodies that move, and of the water that moves with the free ones [J].
 double kinetic_energy(const bodies::Bodies& bodies);
 /// Potential energy of weight [J].
 double weight_energy(const bodies::Bodies& bodies, const Vec3& gravity);

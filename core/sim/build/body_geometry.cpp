@@ -14,10 +14,10 @@ struct BodyGeometry {
   geometry::MassProperties unit;  ///< mass properties for density 1 kg/m^3, centre of mass in the element's frame
 };
 
-/// Shape and mass of a mesh file. The meshes are shifted so that the centre of mass is the origin.
-BodyGeometry mesh_geometry(const scene::MeshScene& mesh) {
+/// Shape and mass of a mesh file, which is scaled. The meshes are shifted so that the centre of mass is the origin.
+BodyGeometry mesh_geometry(const scene::MeshScene& mesh, double scale) {
   BodyGeometry g;
-  hull::Hull hull = hull::read_hull(mesh.file);
+  hull::Hull hull = hull::read_hull(mesh.file, scale);
   g.unit = geometry::mesh_properties(hull.fluid, 1.0);
   if (mesh.cog) {
     const Vec3 arm = g.unit.com - *mesh.cog;
@@ -36,7 +36,7 @@ BodyGeometry mesh_geometry(const scene::MeshScene& mesh) {
   return g;
 }
 
-BodyGeometry geometry(const scene::SolidShape& shape) {
+BodyGeometry geometry(const scene::SolidShape& shape, double file_scale) {
   return std::visit(
       Overloaded{
           [](const scene::BoxScene& box) {
@@ -51,7 +51,7 @@ BodyGeometry geometry(const scene::SolidShape& shape) {
             const double r = cylinder.radius, h = cylinder.height;
             return BodyGeometry{geometry::cylinder_shape(r, h), geometry::cylinder_properties(r, h, k_pi * r * r * h)};
           },
-          [](const scene::MeshScene& mesh) { return mesh_geometry(mesh); },
+          [&](const scene::MeshScene& mesh) { return mesh_geometry(mesh, file_scale); },
           [](const scene::PlaneScene&) {
             BodyGeometry plane{geometry::plane_shape(), {}};
             plane.unit.mass = 1;
@@ -63,8 +63,8 @@ BodyGeometry geometry(const scene::SolidShape& shape) {
 
 }  // namespace
 
-Solid build_solid(const scene::SolidScene& scene) {
-  BodyGeometry g = geometry(scene.shape);
+Solid build_solid(const scene::SolidScene& scene, double file_scale) {
+  BodyGeometry g = geometry(scene.shape, file_scale);
   NILAS_DEMAND(!scene.mass || !scene.density);
   Solid solid;
   solid.mass = g.unit;

@@ -14,8 +14,9 @@ struct Solid {
   geometry::MassProperties mass;                 ///< centre of mass in the element's frame
 };
 
-/// Builds shape and mass. Throws InputError and FileError naming the mesh file that is at fault.
-Solid build_solid(const scene::SolidScene& scene);
+/// Builds shape and mass. `file_scale` multiplies the lengths of a mesh file. Throws InputError and FileError naming
+/// the mesh file that is at fault.
+Solid build_solid(const scene::SolidScene& scene, double file_scale);
 
 /// The attitude after turns about z, then about the new y, then about the new x [deg].
 Quat attitude_of(const Vec3& yaw_pitch_roll_deg);

@@ -174,44 +174,67 @@ class IceBuilder {
     const double margin = k_hull_margin_thicknesses * thickness;
     planned.hull = keep_out;
     planned.keep_out = field::grown_outlines(keep_out, margin);
+    for (auto& outline : keep_out)
+      for (Vec2& p : outline) p /= scene_.scale;
+    field::FieldResult result = in_scale(field, index, {std::move(keep_out), margin / scene_.scale}, planned);
+    field::scale_field(result, scene_.scale);
+    return result;
+  }
+
+  /// What a field keeps clear of, in the scene's unit of length.
+  struct KeptClear {
+    std::vector<std::vector<Vec2>> outlines;
+    double margin = 0;
+  };
+
+  /// The field with the scene's scale as the unit of length: a scene that was scaled draws the same numbers as before.
+  field::FieldResult in_scale(const scene::FieldScene& field, std::size_t index, const KeptClear& clear,
+                              PlannedIce& planned) const {
+    const double unit = scene_.scale;
     const auto place = [&](field::PackedSpec spec) {
       const auto [low, high] = corners(field);
       spec.low = low;
       spec.high = high;
-      spec.keep_out = keep_out;
-      spec.keep_out_margin = margin;
+      spec.keep_out = clear.outlines;
+      spec.keep_out_margin = clear.margin;
       spec.seed = scene_.seed + index;
       return spec;
     };
-    const auto make = Overloaded{
-        [](const scene::FileFieldScene& file) { return field::read_field(file.file); },
-        [&](const scene::GridFieldScene& grid) {
-          const auto [low, high] = corners(field);
-          return field::grid_field(
-              {low, high, grid.rows, grid.columns, grid.gap, grid.shear_deg * k_deg, grid.stagger, keep_out, margin});
-        },
-        [&](const scene::LevelFieldScene&) {
-          const auto [low, high] = corners(field);
-          return field::level_field({low, high, keep_out, margin, aft()});
-        },
-        [&](const scene::VoronoiFieldScene& cells) {
-          const field::PackedSpec spec = place(cell_spec(cells));
-          if (cells.bond) return field::frozen_field(spec, aft(), *cells.bond);
-          return field::voronoi_field(planned.packed.emplace(spec));
-        },
-        [&](const scene::ChannelFieldScene& channel) {
-          const field::PackedSpec& spec = planned.packed.emplace(place(packed_spec(channel.ice)));
-          return field::channel_field({spec, channel.width.value_or(0.5 * (spec.high.y() - spec.low.y())), aft()});
-        },
-        [&](const scene::PackedFieldScene& packed) {
-          return field::pack_field(planned.packed.emplace(place(packed_spec(packed))));
-        }};
+    const auto noted = [&](const field::PackedSpec& spec) -> const field::PackedSpec& {
+      planned.packed = scaled(spec, unit);
+      return spec;
+    };
+    const auto make =
+        Overloaded{[](const scene::FileFieldScene& file) { return field::read_field(file.file); },
+                   [&](const scene::GridFieldScene& grid) {
+                     const auto [low, high] = corners(field);
+                     return field::grid_field({low, high, grid.rows, grid.columns, grid.gap / unit,
+                                               grid.shear_deg * k_deg, grid.stagger, clear.outlines, clear.margin});
+                   },
+                   [&](const scene::LevelFieldScene&) {
+                     const auto [low, high] = corners(field);
+                     return field::level_field({low, high, clear.outlines, clear.margin, aft()});
+                   },
+                   [&](const scene::VoronoiFieldScene& cells) {
+                     const field::PackedSpec spec = place(cell_spec(cells, unit));
+                     if (cells.bond) return field::frozen_field(spec, aft(), *cells.bond);
+                     return field::voronoi_field(noted(spec));
+                   },
+                   [&](const scene::ChannelFieldScene& channel) {
+                     const field::PackedSpec spec = noted(place(packed_spec(channel.ice, unit)));
+                     const double width = channel.width ? *channel.width / unit : 0.5 * (spec.high.y() - spec.low.y());
+                     return field::channel_field({spec, width, aft()});
+                   },
+                   [&](const scene::PackedFieldScene& packed) {
+                     return field::pack_field(noted(place(packed_spec(packed, unit))));
+                   }};
     return std::visit(make, field.form);
   }
 
-  static std::pair<Vec2, Vec2> corners(const scene::FieldScene& field) {
+  /// The corners of a field's region, in the scene's unit of length.
+  std::pair<Vec2, Vec2> corners(const scene::FieldScene& field) const {
     const scene::RegionScene& region = *field.region();
-    return {{region[0], region[1]}, {region[2], region[3]}};
+    return {Vec2(region[0], region[1]) / scene_.scale, Vec2(region[2], region[3]) / scene_.scale};
   }
 
   /// Horizontal direction from which the vessel comes: -x of its own frame.

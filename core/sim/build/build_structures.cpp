@@ -30,9 +30,9 @@ void add_tank(const scene::TankScene& tank, double level, bodies::Bodies& bodies
     add_wall(bodies, "floor", {length, tank.width + 2 * t, t}, {0.5 * tank.length, 0, level - tank.depth - 0.5 * t});
 }
 
-void add_body(const scene::BodyScene& body, bodies::Bodies& bodies) {
+void add_body(const scene::BodyScene& body, double file_scale, bodies::Bodies& bodies) {
   NILAS_DEMAND(body.kind() != SolidShapeKind::plane || body.fixed);
-  const Solid solid = build_solid(body);
+  const Solid solid = build_solid(body, file_scale);
   bodies::BodySpec spec;
   spec.name = body.name;
   spec.kind = bodies::BodyKind::rigid;
@@ -57,7 +57,7 @@ void build_structures(const scene::Scene& scene, WorldParts& parts) {
     add_tank(*scene.tank, parts.water ? parts.water->level : 0, parts.bodies);
     parts.info.modules.emplace_back("tank", "<tank>");
   }
-  for (const auto& body : scene.bodies) add_body(body, parts.bodies);
+  for (const auto& body : scene.bodies) add_body(body, scene.scale, parts.bodies);
 }
 
 }  // namespace nilas::sim

@@ -6,6 +6,7 @@
 #include "core/base/error.h"
 #include "core/hull/hull.h"
 #include "core/sim/build/body_geometry.h"
+#include "core/sim/build/moored_vessel.h"
 #include "core/sim/build/vessel_rest.h"
 #include "core/sim/world/world.h"
 #include "core/vessel/tree/rods.h"
@@ -27,8 +28,8 @@ Mat3 tensor(const Vec6& entries) {
   return m;
 }
 
-hull::Hull load_hull(const scene::VesselScene& vessel) {
-  if (!vessel.generate) return hull::read_hull(vessel.hull);
+hull::Hull load_hull(const scene::VesselScene& vessel, double file_scale) {
+  if (!vessel.generate) return hull::read_hull(vessel.hull, file_scale);
   return hull::generate_hull(hull::hull_form(vessel.generate->kind, vessel.generate->parameters));
 }
 
@@ -96,14 +97,14 @@ vessel::CarriageModel carriage_model(const scene::Scene& scene, const vessel::Ve
   carriage.motion = given.path.empty()
                         ? vessel::CarriageMotion::straight(start, yaw, given.speed, given.heading_deg * k_deg,
                                                            given.ramp, scene.time.start, given.ramp_shape)
-                        : vessel::CarriageMotion::path(start, yaw, given.path);
+                        : vessel::CarriageMotion::path(start, yaw, given.path, scene.scale);
   carriage.free = given.free;
   carriage.stiffness = given.balance.stiffness;
   carriage.damping = given.balance.damping;
   carriage.balance = given.balance.kind;
   if (carriage.balance == BalanceKind::six_cells)
     carriage.cells = given.balance.layout.empty() ? vessel::default_cells(k_cell_arm_share * length)
-                                                  : vessel::read_cells(given.balance.layout);
+                                                  : vessel::read_cells(given.balance.layout, scene.scale);
   return carriage;
 }
 
@@ -132,7 +133,7 @@ double length_of(const geometry::TriangleMesh& mesh) {
 /// Adds a part to the model and its shape to `solids`.
 void add_part(const scene::Scene& scene, const scene::PartScene& given, vessel::VesselModel& model,
               std::vector<Solid>& solids) {
-  solids.push_back(build_solid(given));
+  solids.push_back(build_solid(given, scene.scale));
   const geometry::MassProperties& mass = solids.back().mass;
   vessel::PartModel part;
   part.mass = mass.mass;
@@ -222,7 +223,7 @@ void add_part_bodies(const scene::Scene& scene, const vessel::VesselModel& model
 
 int build_vessel(const scene::Scene& scene, WorldParts& parts) {
   const scene::VesselScene& vessel = *scene.vessel;
-  const hull::Hull hull = load_hull(vessel);
+  const hull::Hull hull = load_hull(vessel, scene.scale);
   vessel::VesselModel model;
   model.pose_V.q = Quat(Eigen::AngleAxisd(vessel.heading_deg * k_deg, Vec3::UnitZ()));
   const Mat3 R = model.pose_V.q.toRotationMatrix();
@@ -233,11 +234,13 @@ int build_vessel(const scene::Scene& scene, WorldParts& parts) {
   model.w = vessel.angular_velocity;
   model.fixed = vessel.fixed;
   model.gyroscopic = scene.contact.gyroscopic;
+  model.length_unit = scene.scale;
   if (scene.contact.integrator == Integrator::moreau) model.theta = scene.contact.theta;
   if (vessel.carriage) model.carriage = carriage_model(scene, model, length_of(hull.fluid));
   std::vector<Solid> solids;
   for (const scene::PartScene& part : vessel.parts) add_part(scene, part, model, solids);
   add_rods(scene, model, parts.info);
+  moor_vessel(scene, hull.fluid, model, parts);
   parts.carriage = model.carriage;
   parts.vessel_model = model;
   parts.vessel.emplace(model, scene.time.start);

@@ -10,6 +10,9 @@
 #include "core/base/error.h"
 #include "core/base/random.h"
 #include "core/sim/build/implausible.h"
+#include "core/sim/build/load_database.h"
+#include "core/sim/build/module/flow_modules.h"
+#include "core/sim/build/module/wave_modules.h"
 #include "core/sim/build/vessel_doubts.h"
 #include "core/sim/world/contact_model.h"
 #include "core/sim/world/course.h"
@@ -51,16 +54,38 @@ static void build_modules(const ModuleSources& from, const ModuleList& modules, 
   }
 }
 
+/// Gives bodies and hull the water that moves with them, as the modules say.
+static void build_added_mass(WorldParts& parts) {
+  const Vec3 flow = parts.water ? parts.water->current : Vec3(Vec3::Zero());
+  for (const auto& module : parts.modules)
+    if (bodies::AddedMassOf of = module->added_mass_of_bodies()) {
+      NILAS_DEMAND(!parts.bodies.has_added_mass());
+      parts.bodies.set_added_mass(std::move(of), flow);
+    }
+  for (std::size_t k = 0; k < parts.forces.size(); ++k)
+    if (const std::optional<Mat6> added = parts.forces[k]->vessel_added_mass()) {
+      NILAS_DEMAND(!parts.hull_water && parts.vessel);
+      if (parts.vessel->fixed()) continue;
+      const vessel::VesselState& state = parts.vessel->state();
+      parts.hull_water.emplace();
+      parts.hull_water->force = k;
+      parts.hull_water->added_B = *added;
+      parts.hull_water->twist << state.v, state.w;
+    }
+}
+
 static void build_water(const scene::Scene& scene, WorldParts& parts) {
-  const bool needs_water = scene.hydro && (scene.hydro->buoyancy || scene.hydro->drag);
+  const bool needs_water =
+      scene.hydro && (scene.hydro->buoyancy || scene.hydro->drag || scene.hydro->added_mass || scene.hydro->wave_loads);
   NILAS_DEMAND(!needs_water || scene.water);
   if (!scene.water) return;
   hydro::Water water;
   water.density = scene.water->density;
   water.level = scene.water->level;
-  if (scene.water->current) water.current = scene.water->current->velocity;
+  add_flows(scene, water, parts);
   NILAS_DEMAND(!needs_water || (scene.gravity.x() == 0 && scene.gravity.y() == 0 && scene.gravity.z() <= 0));
   water.gravity = scene.gravity.norm();
+  add_waves(scene, water, parts);
   parts.water = water;
 }
 
@@ -134,6 +159,7 @@ WorldParts build_world(const scene::Scene& scene, int threads, WarningCounts& wa
   build_water(scene, parts);
   const contact::FrictionTable friction = friction_table(scene);
   if (scene.vessel) parts.vessel_index = build_vessel(scene, parts);
+  if (scene.hydro && scene.hydro->database) parts.database = load_database(scene, parts);
   if (scene.ice) build_ice(scene, threads, parts, warnings);
   build_structures(scene, parts);
   if (scene.twin != 0) set_aside(scene.twin, parts.bodies);
@@ -143,6 +169,7 @@ WorldParts build_world(const scene::Scene& scene, int threads, WarningCounts& wa
   list_contact(scene, parts.info);
   list_absent(scene, parts.info);
   build_modules({scene, parts, threads, warnings}, modules, parts);
+  build_added_mass(parts);
   if (parts.info.has_carriage) parts.info.work_names.emplace_back("carriage");
   if (parts.is_jointed()) parts.info.work_names.emplace_back("joints");
   parts.info.bodies = parts.bodies.size();

@@ -97,7 +97,7 @@ class Doubts {
     const auto moves = [](const auto& item) { return !item.velocity.isZero(0); };
     if (parts_.info.course == CourseKind::carriage) return true;
     if (scene_.vessel && (moves(*scene_.vessel) || !scene_.vessel->angular_velocity.isZero(0))) return true;
-    if (scene_.water && scene_.water->current && moves(*scene_.water->current)) return true;
+    if (!parts_.current.isZero(0)) return true;
     if (std::any_of(parts_.forces.begin(), parts_.forces.end(), [](const auto* m) { return m->drift().has_value(); }))
       return true;
     if (std::any_of(scene_.bodies.begin(), scene_.bodies.end(),
@@ -179,7 +179,7 @@ class Doubts {
             fmt::format("the path ends at {:g} s; the run ends there, before its end at {:g} s", last, end));
     constexpr double k_least_jump = 1e-6;  // [m/s]
     const double jump = motion.at(first).v.norm();
-    if (first > scene_.time.start && jump > k_least_jump)
+    if (first > scene_.time.start && jump > std::sqrt(scene_.scale) * k_least_jump)
       doubt("vessel/carriage/path",
             fmt::format("the carriage rests until the path begins at {:g} s and then jumps to {:.3g} m/s in one step; "
                         "let the first rows of the path begin at rest",
@@ -207,18 +207,22 @@ class Doubts {
       if (scene_.contact.integrator == Integrator::reference) continue;  // its adaptive steps resolve every mode
       // Fast rotations on the cells are damped without harm, but surge and sway show in the tow force.
       if (mode.on_cells && !along) continue;
-      const double longest = mode.period / (mode.on_cells ? k_least_steps_on_cells : k_steps_on_water);
+      // The product of step and circular frequency is then 0.5; a quasi-static line is an explicit spring.
+      constexpr double k_steps_on_mooring = 4 * k_pi;
+      const double steps = mode.on_mooring ? k_steps_on_mooring : k_steps_on_water;
+      const double longest = mode.period / (mode.on_cells ? k_least_steps_on_cells : steps);
       if (h > longest)
         doubt("time/@step", fmt::format("the step of {:g} s misses the vessel's {} on {} with its period of {:.3g} s; "
                                         "take at most {:g} s to resolve it",
-                                        h, mode.motion, mode.on_cells ? "the load cells" : "the water", mode.period,
-                                        two_digits(longest, std::floor)));
+                                        h, mode.motion, mode.held_by(), mode.period, two_digits(longest, std::floor)));
     }
   }
 
   void hull() {
     const std::string place = scene_.vessel && scene_.vessel->generate ? "vessel/hull" : "vessel/@hull";
     for (const std::string& message : vessel_doubts(scene_, parts_)) doubt(place, message);
+    if (parts_.database)
+      for (const std::string& message : parts_.database->doubts) doubt("hydro/database/@file", message);
     if (!parts_.restless.empty())
       doubt("vessel", fmt::format("part '{}' finds no rest: nothing brings it back to where it is, or it starts with a "
                                   "rate. So the vessel starts as placed and without a tare; <carriage "

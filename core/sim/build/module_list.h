@@ -1,30 +1,12 @@
 #pragma once
 /// The list of all modules that a scene can ask for. Add a new module here.
 #include <functional>
-#include <memory>
 #include <string>
 #include <vector>
 
-#include "core/base/log.h"
-#include "core/bodies/module.h"
-#include "core/scene/scene.h"
-#include "core/sim/world/world.h"
+#include "core/sim/build/module/module_sources.h"
 
 namespace nilas::sim {
-
-/// The sources from which modules are built. A module may refer to `parts.ice_properties` and `warnings`, which outlive
-/// it, and must copy everything else.
-struct ModuleSources {
-  const scene::Scene& scene;
-  const WorldParts& parts;  ///< its bodies are complete
-  int threads;
-  WarningCounts& warnings;
-};
-
-struct BuiltModule {
-  std::unique_ptr<bodies::Module> module;  ///< null where the scene does not ask for it
-  std::string reason;                      ///< the element that asks for it, for the list of what was built and why
-};
 
 struct ModuleEntry {
   std::string name;

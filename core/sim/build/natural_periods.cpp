@@ -4,18 +4,24 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/sim/build/moored_vessel.h"
 #include "core/vessel/model/cells.h"
+#include "hydro/restoring/restoring.h"
 #include "hydro/wetted.h"
 
 namespace nilas::sim {
 
 namespace {
 
-/// Mass matrix. All matrices of this file refer to small motions (translation; rotation) of the centre of mass, in G.
-Mat6 mass_matrix(const bodies::Bodies& bodies, int vessel) {
+/// Mass matrix, with the water that moves with the hull. All matrices of this file refer to small motions (translation;
+/// rotation) of the centre of mass, in G.
+Mat6 mass_matrix(const WorldParts& parts) {
+  const bodies::Bodies& bodies = parts.bodies;
+  const int vessel = parts.vessel_index;
   Mat6 M = Mat6::Zero();
   M.topLeftCorner<3, 3>() = bodies.mass[vessel] * Mat3::Identity();
   M.bottomRightCorner<3, 3>() = bodies.inertia_G(vessel);
+  if (parts.hull_water) M += bodies::turned(parts.hull_water->added_B, bodies.R_GB[vessel]);
   return M;
 }
 
@@ -23,6 +29,14 @@ Mat6 mass_matrix(const bodies::Bodies& bodies, int vessel) {
 /// which acts at the centre of mass.
 Mat6 water_stiffness(const scene::Scene& scene, const WorldParts& parts) {
   Mat6 K = Mat6::Zero();
+  if (scene.hydro && scene.hydro->restoring) {
+    const Vec3 com = parts.vessel_model->mass.com;
+    const hydro::Database& database = *parts.database->values;
+    const Pose& in_V = parts.database->in_V;
+    const Mat6 restoring = hydro::restoring_with_weight_at(
+        database, parts.vessel_model->mass.mass * parts.water->gravity, in_V.q.conjugate() * (com - in_V.p));
+    return bodies::turned(parts.database->about(restoring, com), parts.bodies.R_GB[parts.vessel_index]);
+  }
   if (!parts.water || !scene.hydro || !scene.hydro->buoyancy) return K;
   const auto b = static_cast<std::size_t>(parts.vessel_index);
   const geometry::TriangleMesh& mesh = parts.bodies.shape[b]->surface;
@@ -75,9 +89,14 @@ std::string motion_name(const Vec6& mode, const Mat6& M) {
 
 }  // namespace
 
+std::string NaturalPeriod::held_by() const {
+  if (on_cells) return "the load cells";
+  return on_mooring ? "the mooring" : "the water";
+}
+
 std::vector<NaturalPeriod> natural_periods(const scene::Scene& scene, const WorldParts& parts) {
   if (!scene.vessel || scene.vessel->fixed || parts.is_jointed()) return {};
-  const Mat6 M = mass_matrix(parts.bodies, parts.vessel_index), water = water_stiffness(scene, parts);
+  const Mat6 M = mass_matrix(parts), water = water_stiffness(scene, parts);
   Mat6 cells = Mat6::Zero();
   MatX basis = Mat6::Identity();
   if (parts.carriage) {
@@ -95,7 +114,8 @@ std::vector<NaturalPeriod> natural_periods(const scene::Scene& scene, const Worl
   Mat6 axes = Mat6::Zero();
   const Mat3& R = parts.bodies.R_GB[parts.vessel_index];
   axes.topLeftCorner<3, 3>() = axes.bottomRightCorner<3, 3>() = R.transpose();
-  const MatX K = basis.transpose() * (cells + water) * basis, mass = basis.transpose() * M * basis;
+  const Mat6 lines = parts.mooring ? mooring_at_start(parts).stiffness : Mat6::Zero();
+  const MatX K = basis.transpose() * (cells + water + lines) * basis, mass = basis.transpose() * M * basis;
   const Eigen::GeneralizedSelfAdjointEigenSolver<MatX> modes(K, mass);
   constexpr double k_held = 1e-9;  // share of the stiffest mode; below it the stiffness is rounding
   const double least = k_held * modes.eigenvalues().cwiseAbs().maxCoeff();
@@ -104,8 +124,9 @@ std::vector<NaturalPeriod> natural_periods(const scene::Scene& scene, const Worl
     const double square = modes.eigenvalues()[k];
     if (!(square > least)) continue;
     const Vec6 mode = basis * modes.eigenvectors().col(k);
-    periods.push_back({motion_name(axes * mode, axes * M * axes.transpose()),
-                       mode.dot(cells * mode) > mode.dot(water * mode), 2 * k_pi / std::sqrt(square)});
+    const double by_water = mode.dot(water * mode), by_lines = mode.dot(lines * mode);
+    periods.push_back({motion_name(axes * mode, axes * M * axes.transpose()), mode.dot(cells * mode) > by_water,
+                       by_lines > by_water, 2 * k_pi / std::sqrt(square)});
   }
   return periods;
 }

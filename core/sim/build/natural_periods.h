@@ -1,5 +1,5 @@
 #pragma once
-/// Natural periods of a scene's vessel on its force balance and on the water. docs/reference/scales.md
+/// Natural periods of a scene's vessel on its force balance, its mooring and the water. docs/reference/scales.md
 #include <string>
 #include <vector>
 
@@ -11,9 +11,13 @@ namespace nilas::sim {
 constexpr double k_least_steps_on_cells = 4;
 
 struct NaturalPeriod {
-  std::string motion;     ///< name of the dominant motion: surge, sway, heave, roll, pitch or yaw
-  bool on_cells = false;  ///< true if the load cells hold more of its energy than the water does
-  double period = 0;      ///< [s]
+  std::string motion;       ///< name of the dominant motion: surge, sway, heave, roll, pitch or yaw
+  bool on_cells = false;    ///< true if the load cells hold more of its energy than the water does
+  bool on_mooring = false;  ///< true if the mooring lines hold more of its energy than the water does
+  double period = 0;        ///< [s]
+
+  /// "the load cells", "the mooring" or "the water".
+  std::string held_by() const;
 };
 
 /// Periods of small motions about the vessel's initial pose, undamped and without added mass, shortest first. Modes

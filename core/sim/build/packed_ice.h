@@ -6,8 +6,11 @@
 namespace nilas::sim {
 
 /// Concentration, sizes and outlines. The caller fills in the region, the outlines to keep clear of and the seed.
-/// Throws FileError and InputError for a library of outlines that cannot be read.
-field::PackedSpec packed_spec(const scene::PackedFieldScene& field);
-field::PackedSpec cell_spec(const scene::VoronoiFieldScene& field);
+/// Sizes are in the unit of length [m]; those of a library are in metres, as stored. Throws FileError and InputError
+/// for a library of outlines that cannot be read.
+field::PackedSpec packed_spec(const scene::PackedFieldScene& field, double unit);
+field::PackedSpec cell_spec(const scene::VoronoiFieldScene& field, double unit);
+/// The spec with all lengths multiplied by `factor`.
+field::PackedSpec scaled(field::PackedSpec spec, double factor);
 
 }  // namespace nilas::sim

@@ -38,7 +38,14 @@ std::vector<detect::BodyMotion> paths(const World& world, const contact::Velocit
       if (!world.gyroscopic || !bodies.is_free(k)) continue;
       Quat q = bodies.q_GB[b];
       Vec3 w = velocities.w[b];
-      bodies::turn_freely(q, w, bodies.inertia_B[b], bodies.inertia_inverse_B[b], exact);
+      if (bodies.has_added_mass()) {
+        Vec3 p = bodies.p_GB[b], v = velocities.v[b];
+        const Mat6 mass = bodies.whole_mass_B(k);
+        bodies::move_freely(p, q, v, w, mass, mass.llt().solve(Mat6::Identity()), bodies.flow, exact);
+        motions[b].way = horizon / exact * (p - bodies.p_GB[b]);
+      } else {
+        bodies::turn_freely(q, w, bodies.inertia_B[b], bodies.inertia_inverse_B[b], exact);
+      }
       motions[b].turn = horizon / exact * rotation_between(bodies.q_GB[b], q, exact * velocities.w[b]);
     }
   return motions;

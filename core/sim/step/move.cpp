@@ -76,11 +76,11 @@ void leave_to_their_motion(const contact::StepMotion& motion, std::vector<detect
 
 }  // namespace
 
-contact::StepMotion move(World& world, const Loads& loads, const Substep& substep, SolvedContacts& solved,
+contact::StepMotion move(World& world, Loads& loads, const Substep& substep, SolvedContacts& solved,
                          const VesselStart& vessel) {
   contact::StepMotion motion = velocity_step(world, loads, substep, solved, vessel);
   advance(world.parts.bodies, motion.after, world.model.theta * substep.h, world.gyroscopic, world.threads);
-  finish_vessel_step(world, motion);
+  finish_vessel_step(world, loads, motion);
   return motion;
 }
 

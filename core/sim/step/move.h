@@ -10,7 +10,7 @@ namespace nilas::sim {
 
 /// Moves all bodies to the substep's end with the velocities of the solution. Returns the impulses and the velocities
 /// before and after them. Takes the contact points out of `solved`.
-contact::StepMotion move(World& world, const Loads& loads, const Substep& substep, SolvedContacts& solved,
+contact::StepMotion move(World& world, Loads& loads, const Substep& substep, SolvedContacts& solved,
                          const VesselStart& vessel);
 
 struct CorrectedPositions {

@@ -33,7 +33,7 @@ StepRecord take_step(World& world) {
 
     // The pose where the impulses act, and the loads other than contact there.
     const SubstepStart start = begin_substep(world, plan.now(), plan.longest());
-    const Loads loads = evaluate_loads(world, plan.now(), start.h);
+    Loads loads = evaluate_loads(world, plan.now(), start.h);
     book.watch().lap(Phase::hydro);
 
     // The time until fast bodies meet, and the contacts that can close within it.
@@ -61,6 +61,7 @@ StepRecord take_step(World& world) {
     const contact::StepMotion motion = move(world, loads, substep, solved, start.vessel);
     const CorrectedPositions corrected = correct_positions(world, substep, solved, motion);
     plan.take(substep.h, start.h);
+    for (const auto& module : world.parts.modules) module->end_substep(world.parts.bodies, plan.now(), substep.h);
     book.add(substep, loads, std::move(solved), motion, corrected, start.vessel);
   }
   ++world.steps;

@@ -5,6 +5,7 @@
 #include "contact/assemble.h"
 #include "contact/step_motion.h"
 #include "core/sim/account/ledger.h"
+#include "core/sim/step/substep.h"
 #include "core/sim/world/world_state.h"
 
 namespace nilas::sim {
@@ -27,7 +28,13 @@ void abandon_vessel_step(World& world);
 /// The vessel's block of the contact problem under these loads; empty without a vessel that moves.
 std::vector<contact::ArticulatedBlock> begin_vessel_step(World& world, const bodies::Wrenches& loads, double h);
 /// Ends the vessel's substep under the contact impulses of `motion`, and writes the vessel's velocities to `motion`.
-void finish_vessel_step(World& world, contact::StepMotion& motion);
+/// The reaction of the water that moves with the hull joins the loads of its module.
+void finish_vessel_step(World& world, Loads& loads, contact::StepMotion& motion);
+
+/// The load of the water that moves with a body, apart from its reaction to changes of the body's velocities
+/// [Kirchhoff; Lamb, Hydrodynamics, 124]. added_G: about the centre of mass, in the axes of G; v: velocity of the
+/// centre of mass through the water [m/s]; w: angular velocity [rad/s], both in G. It holds the Munk moment.
+Wrench quadratic_water_load(const Mat6& added_G, const Vec3& v, const Vec3& w);
 
 VesselAccount vessel_account(const World& world, const VesselStart& start);
 /// Works of joints and carriage before and after the impulses.

@@ -33,7 +33,7 @@ contact::CorrectionSettings ContactModel::correction_over(double h) const {
 /// penetration to remove. Where a scene fixes its iterations, it is no more than what the velocities may leave.
 constexpr double k_correction_tolerance = 1e-3;
 
-static void set_stabilisation(const scene::ContactScene& contact, ContactModel& model) {
+static void set_stabilisation(const scene::ContactScene& contact, double correction_tolerance, ContactModel& model) {
   model.correction.slop = contact.slop;
   switch (contact.stabilisation) {
     case Stabilisation::none:
@@ -48,13 +48,13 @@ static void set_stabilisation(const scene::ContactScene& contact, ContactModel& 
       model.position_step = PositionStep::split_impulse;
       model.correction.erp = contact.erp;
       model.correction.max_speed = contact.max_speed;
-      model.correction.tolerance = k_correction_tolerance;
+      model.correction.tolerance = correction_tolerance;
       break;
     case Stabilisation::projection:
       model.position_step = PositionStep::projection;
       model.correction.erp = 1;
       model.correction.max_speed = std::numeric_limits<double>::infinity();
-      model.correction.tolerance = contact.tolerance > 0 ? contact.tolerance : k_correction_tolerance;
+      model.correction.tolerance = contact.tolerance > 0 ? contact.tolerance : correction_tolerance;
       model.correction.max_sweeps = contact.max_iterations;
       break;
   }
@@ -78,12 +78,13 @@ bool has_static_friction(const scene::ContactScene& contact) {
                      [](const scene::FrictionScene& pair) { return pair.static_ > pair.kinetic; });
 }
 
-ContactModel build_contact_model(const scene::ContactScene& contact, int threads) {
+ContactModel build_contact_model(const scene::ContactScene& contact, int threads, double speed_scale) {
   ContactModel model;
+  model.assembly.restitution_threshold *= speed_scale;
   model.assembly.law = contact.law.law;
   model.assembly.facets = contact.law.facets;
   model.assembly.axes = contact.axes_deg * k_deg;
-  set_stabilisation(contact, model);
+  set_stabilisation(contact, speed_scale * k_correction_tolerance, model);
   const contact::SolverEntry& solver = contact::find_solver(contact.solver);
   model.correction.order_free = solver.order_free;
   constexpr int k_extragradient_steps = 1000;  // each costs less than a sweep
@@ -112,7 +113,7 @@ ContactModel build_contact_model(const scene::ContactScene& contact, int threads
   // Slip below ten times the solver's tolerance counts as rest.
   constexpr double k_least_slip = 1e-5;  // [m/s]
   if (has_static_friction(contact))
-    model.static_friction = contact::StaticFriction{std::max(k_least_slip, 10 * contact.tolerance)};
+    model.static_friction = contact::StaticFriction{std::max(speed_scale * k_least_slip, 10 * contact.tolerance)};
   return model;
 }
 

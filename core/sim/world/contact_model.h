@@ -44,6 +44,8 @@ struct ContactModel {
 /// Whether some pair of materials has more static than kinetic friction, under a law with friction.
 bool has_static_friction(const scene::ContactScene& contact);
 
-ContactModel build_contact_model(const scene::ContactScene& contact, int threads);
+/// `speed_scale` multiplies the small speeds that the program sets itself, such as that of an inelastic impact. It is 1
+/// at the scale for which they were chosen.
+ContactModel build_contact_model(const scene::ContactScene& contact, int threads, double speed_scale = 1);
 
 }  // namespace nilas::sim

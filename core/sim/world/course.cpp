@@ -53,7 +53,7 @@ std::string crossed_wall(const scene::TankScene& tank, const Box2& box) {
 
 bool ice_stays(const scene::Scene& scene, const WorldParts& parts) {
   const auto at_rest = [](const auto& item) { return item.velocity.isZero(0); };
-  return !(scene.water && scene.water->current && !scene.water->current->velocity.isZero(0)) &&
+  return parts.current.isZero(0) &&
          std::none_of(parts.forces.begin(), parts.forces.end(), [](const auto* m) { return m->drift().has_value(); }) &&
          std::all_of(scene.ice->fields.begin(), scene.ice->fields.end(), at_rest) &&
          std::all_of(scene.ice->floes.begin(), scene.ice->floes.end(), at_rest);

@@ -15,7 +15,7 @@ Vec2 drift_of(const scene::Scene& scene, const WorldParts& parts) {
   std::vector<Vec3> named;
   for (const bodies::Module* module : parts.forces)
     if (const std::optional<Vec3> drift = module->drift()) named.push_back(*drift);
-  if (scene.water && scene.water->current) named.push_back(scene.water->current->velocity);
+  named.push_back(parts.current);
   if (scene.ice) {
     for (const scene::FieldScene& field : scene.ice->fields)
       if (!field.fixed) named.push_back(field.velocity);
@@ -23,7 +23,7 @@ Vec2 drift_of(const scene::Scene& scene, const WorldParts& parts) {
       if (!floe.fixed) named.push_back(floe.velocity);
   }
   for (const Vec3& velocity : named)
-    if (velocity.head<2>().norm() > k_at_rest) return velocity.head<2>();
+    if (velocity.head<2>().norm() > std::sqrt(scene.scale) * k_at_rest) return velocity.head<2>();
   return Vec2::Zero();
 }
 
@@ -59,7 +59,7 @@ double length_along_x(const geometry::Shape& hull) {
 void describe_loads(const scene::Scene& scene, WorldParts& parts) {
   RunInfo& info = parts.info;
   const Vec2 drift = drift_of(scene, parts);
-  const bool drifts = drift.norm() > k_at_rest;
+  const bool drifts = !drift.isZero(0);
   if (drifts) info.drift_course = -drift.normalized();
   if (scene.vessel) {
     info.vessel_length = length_along_x(*parts.bodies.shape[parts.vessel_index]);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "contact/detect/broad/fast_pairs.h"
 #include "core/base/error.h"
@@ -17,7 +18,7 @@ World::World(const scene::Scene& scene, int thread_count, WarningCounts& warning
       start(scene.time.start),
       gravity(scene.gravity),
       gyroscopic(scene.contact.gyroscopic),
-      model(build_contact_model(scene.contact, thread_count)),
+      model(build_contact_model(scene.contact, thread_count, std::sqrt(scene.scale))),
       detector(thread_count, scene.contact.narrow_phase),
       energy(parts.info.work_names, 0, 0) {
   follow_bodies({});
@@ -69,6 +70,8 @@ void World::save(StateWriter out) const {
   out.add("slipping", slipping);
   warm.save(out.group("warm_start"));
   energy.save(out.group("energy"));
+  if (parts.hull_water) out.add("hull_twist", parts.hull_water->twist);
+  if (parts.commands->size() > 0) parts.commands->save(out.group("commands"));
   for (const auto& module : parts.modules) module->save(parts.bodies, out.group("module_" + module->name()));
 }
 
@@ -85,6 +88,8 @@ void World::restore(const StateReader& in) {
   in.get("unnamed_second", second);
   if (first.size() != second.size()) in.refuse("unnamed_second", "it has another length than unnamed_first");
   for (std::size_t k = 0; k < first.size(); ++k) unnamed_pairs.emplace(first[k], second[k]);
+  if (parts.hull_water) in.get("hull_twist", parts.hull_water->twist);
+  if (parts.commands->size() > 0) parts.commands->restore(in.group("commands"));
   detector.restore(parts.bodies, in.group("detector"));
   in.get("slipping", slipping);
   warm.restore(in.group("warm_start"));

@@ -67,17 +67,19 @@ CarriageMotion CarriageMotion::straight(const Vec3& start, double yaw, double sp
   return motion;
 }
 
-CarriageMotion CarriageMotion::path(const Vec3& start, double yaw, const std::string& csv_file) {
+CarriageMotion CarriageMotion::path(const Vec3& start, double yaw, const std::string& csv_file, double scale) {
   const CsvTable table = read_csv(csv_file, {"t_s", "x_m", "y_m", "yaw_deg"});
   if (table.rows.size() < 2) throw InputError(csv_file + ": a path needs at least 2 rows");
   auto knots = std::make_shared<Knots>();
+  const double in_time = std::sqrt(scale);
   const auto& first = table.rows.front();
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
     const auto& row = table.rows[i];
-    if (i > 0 && !(row[0] > knots->t.back()))
+    const double t = in_time * row[0];
+    if (i > 0 && !(t > knots->t.back()))
       throw InputError(csv_file + ":" + std::to_string(table.lines[i]) + ": t_s must grow from row to row");
-    knots->t.push_back(row[0]);
-    knots->value.emplace_back(row[1] - first[1], row[2] - first[2], (row[3] - first[3]) * k_deg);
+    knots->t.push_back(t);
+    knots->value.emplace_back(scale * (row[1] - first[1]), scale * (row[2] - first[2]), (row[3] - first[3]) * k_deg);
   }
   knots->fit();
   CarriageMotion motion;

@@ -47,7 +47,7 @@ double layout_condition(const std::array<LoadCell, 6>& cells) {
   return values[0] / values[5];
 }
 
-std::array<LoadCell, 6> read_cells(const std::string& csv_file) {
+std::array<LoadCell, 6> read_cells(const std::string& csv_file, double scale) {
   const CsvTable table = read_csv(csv_file, {"x_m", "y_m", "z_m", "ax", "ay", "az"});
   std::array<LoadCell, 6> cells;
   if (table.rows.size() != cells.size())
@@ -59,7 +59,7 @@ std::array<LoadCell, 6> read_cells(const std::string& csv_file) {
     const double length = axis.stableNorm();
     if (!(length > 0))
       throw InputError(csv_file + ":" + std::to_string(table.lines[i]) + ": the cell's axis ax,ay,az has no length");
-    cells[i] = {{row[0], row[1], row[2]}, axis / length};
+    cells[i] = {scale * Vec3(row[0], row[1], row[2]), axis / length};
   }
   if (!(layout_condition(cells) <= k_max_layout_condition))
     throw InputError(csv_file +

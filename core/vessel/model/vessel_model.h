@@ -24,9 +24,9 @@ struct LoadCell {
 /// The default layout: one longitudinal, two transverse (fore, aft) and three vertical cells, at distances of `arm`
 /// [m]. Their axes are +X, +Y, +Z; their stiffness does not couple the axes at the joint.
 std::array<LoadCell, 6> default_cells(double arm);
-/// Reads a layout from columns x_m,y_m,z_m,ax,ay,az; axes need not be unit vectors. Throws FileError, or InputError for
-/// a wrong or singular layout.
-std::array<LoadCell, 6> read_cells(const std::string& csv_file);
+/// Reads a layout from columns x_m,y_m,z_m,ax,ay,az; axes need not be unit vectors. Points are multiplied by `scale`.
+/// Throws FileError, or InputError for a wrong or singular layout.
+std::array<LoadCell, 6> read_cells(const std::string& csv_file, double scale = 1);
 
 /// Position and yaw of the carriage over time, with exact derivatives.
 class CarriageMotion {
@@ -47,8 +47,9 @@ class CarriageMotion {
                                  RampShape shape = RampShape::linear);
   /// Motion along the natural cubic spline through rows t_s,x_m,y_m,yaw_deg of a CSV file. Differences to the first
   /// row, along the axes of G, are added to `start` and `yaw`. The carriage is at rest before the first and after the
-  /// last row. Throws FileError, InputError.
-  static CarriageMotion path(const Vec3& start, double yaw, const std::string& csv_file);
+  /// last row. Positions are multiplied by `scale` and times by its root, as Froude's law has it. Throws FileError,
+  /// InputError.
+  static CarriageMotion path(const Vec3& start, double yaw, const std::string& csv_file, double scale = 1);
   State at(double t) const { return moment(t, t).now; }
   /// The motion at t by the smooth stretch around the instant `within`, extrapolated where t is outside of that
   /// stretch.
@@ -93,6 +94,7 @@ struct VesselModel {
   std::optional<double> theta;
   std::vector<PartModel> parts;  ///< parts on the hull, whose own mass is `mass`; they require gyroscopic = true
   std::vector<RodModel> rods;    ///< rods require gyroscopic = true
+  double length_unit = 1;        ///< tolerances on lengths of rods refer to it: the scale of the scene [m]
 
   bool is_jointed() const { return !parts.empty() || !rods.empty(); }
 };

@@ -24,6 +24,7 @@ JointedTree::JointedTree(const VesselModel& model) : implementation_(std::make_u
   Implementation& tree = *implementation_;
   Pose hull_in_G{model.pose_V.q.normalized(), Vec3::Zero()};
   hull_in_G.p = model.pose_V.p + hull_in_G.q * model.mass.com;
+  tree.length_unit = model.length_unit;
   tree.add_hull(model, hull_in_G);
   tree.add_parts(model);
   tree.add_rods(model);
@@ -285,6 +286,8 @@ int JointedTree::num_rods() const { return implementation_->rods.size(); }
 double JointedTree::rod_distance(int rod) const {
   return implementation_->rods.distance(rod, implementation_->at(SimTK::Stage::Position));
 }
+
+double JointedTree::length_unit() const { return implementation_->length_unit; }
 
 void JointedTree::set_rod_length(int rod, double length) {
   implementation_->rods.set_length(rod, length, implementation_->state);

@@ -75,6 +75,7 @@ class JointedTree {
 
   int num_rods() const;                ///< m
   double rod_distance(int rod) const;  ///< distance of its ends [m]
+  double length_unit() const;          ///< that of the model [m]
   /// Sets the length of a rod [m]. A rod of a new tree has none; call this before the functions below.
   void set_rod_length(int rod, double length);
   VecX rod_errors() const;  ///< distances of the rods' ends minus their lengths, m entries [m]

@@ -52,6 +52,7 @@ struct JointedTree::Implementation {
   int carried = 0;  ///< number of the carriage's speeds, which come first
   bool free_hull = false;
   int speeds = 0;
+  double length_unit = 1;  ///< of the model [m]
   VecX stiffness, damping;
 };
 

@@ -8,10 +8,10 @@ namespace nilas::vessel {
 
 namespace {
 
-/// Distance of two ends below which their direction is undefined [m].
+/// Distance of two ends below which their direction is undefined [length units of the model].
 constexpr double k_shortest = 1e-6;
 /// Largest difference between a given length and the distance of the placed ends; the start is moved onto the length
-/// [m].
+/// [length units of the model].
 constexpr double k_length_tolerance = 5e-3;
 /// Largest initial speed along a rod as a share of its end's speed, to admit rounded numbers in a scene.
 constexpr double k_rate_tolerance = 1e-3;
@@ -20,10 +20,10 @@ constexpr double k_idle = 1e-9;
 
 MatX response(const MatX& mass, const MatX& jacobian) { return mass.llt().solve(jacobian.transpose()); }
 
-/// The first rod whose length error exceeds `share` of (its length + 1 m); empty if none.
+/// The first rod whose length error exceeds `share` of (its length + one length unit); empty if none.
 std::optional<int> rod_off(const JointedTree& tree, const VecX& errors, double share) {
   for (int k = 0; k < errors.size(); ++k)
-    if (!(std::abs(errors[k]) <= share * (1 + tree.rod_distance(k)))) return k;
+    if (!(std::abs(errors[k]) <= share * (tree.length_unit() + tree.rod_distance(k)))) return k;
   return std::nullopt;
 }
 
@@ -36,13 +36,14 @@ JointedTree placed(const VesselModel& model, double t0) {
 std::optional<RodFault> length_fault(const VesselModel& model, const JointedTree& tree) {
   for (int k = 0; k < tree.num_rods(); ++k) {
     const double distance = tree.rod_distance(k);
-    if (!(distance > k_shortest)) return RodFault{k, "both its ends are at one point; allowed: a length > 0 m"};
-    const double length = model.rods[k].length.value_or(distance);
-    if (std::abs(length - distance) > k_length_tolerance)
+    if (!(distance > k_shortest * model.length_unit))
+      return RodFault{k, "both its ends are at one point; allowed: a length > 0 m"};
+    const double length = model.rods[k].length.value_or(distance), allowed = k_length_tolerance * model.length_unit;
+    if (std::abs(length - distance) > allowed)
       return RodFault{k,
                       fmt::format("its length is {:g} m, but its ends are placed {:.6g} m apart; allowed: within {:g} "
                                   "m of that, or no length=",
-                                  length, distance, k_length_tolerance)};
+                                  length, distance, allowed)};
   }
   return std::nullopt;
 }
