@@ -189,19 +189,6 @@ TEST(Cli, HelpFitsATerminal) {
   }
 }
 
-TEST(Cli, WhatIsNotBuiltIsRefusedPlainly) {
-  const ScratchFolder folder;
-  folder.write("waves.xml", R"(<scene version="1" name="w">
-  <ice><floe outline="0 0 1 0 1 1"/></ice>
-  <water><waves kind="regular" height="0.1" period="2"/></water>
-</scene>
-)");
-  const auto result = run_nilas("check waves.xml", folder.path());
-  EXPECT_EQ(result.exit_code, 2);
-  EXPECT_TRUE(mentions(result.err, "waves.xml:3:")) << result.err;
-  EXPECT_TRUE(mentions(result.err, "not built")) << result.err;
-}
-
 TEST(Cli, InterruptionLeavesCompleteOutputs) {
   const ScratchFolder folder;
   folder.write("box.xml", k_box);

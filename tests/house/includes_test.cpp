@@ -34,6 +34,7 @@ const std::map<std::string, Rooms>& allowed() {
   static const Rooms solving = joined(bodies, {"core/numerics"});
   static const Rooms contact = joined(bodies, {"core/hdf5"});
   static const Rooms fracture = joined(bodies, {"contact"});
+  static const Rooms water = joined(solving, {"core/hdf5"});
   static const Rooms sim = joined(
       solving, {"core/scene", "core/hdf5", "contact", "hydro", "fracture", "core/vessel", "core/hull", "core/field"});
   static const Rooms output = joined(sim, {"core/sim"});
@@ -42,7 +43,7 @@ const std::map<std::string, Rooms>& allowed() {
       {"core/base", {}},       {"core/choices", {"core/base"}}, {"core/numerics", base}, {"core/hdf5", base},
       {"core/geometry", base}, {"core/bodies", geometry},       {"core/mesh", bodies},   {"core/scene", bodies},
       {"core/hull", bodies},   {"core/vessel", solving},        {"core/field", bodies},  {"contact", contact},
-      {"hydro", solving},      {"fracture", fracture},          {"core/sim", sim},       {"core/output", output},
+      {"hydro", water},        {"fracture", fracture},          {"core/sim", sim},       {"core/output", output},
       {"apps", apps}};
   return table;
 }

@@ -100,7 +100,9 @@ TEST(AsRun, InputFilesAreNamedWithTheirHashes) {
   const std::string text = folder.read(testing::k_complete_scene).as_run;
   std::size_t inputs = 0;
   for (auto at = text.find("<input "); at != std::string::npos; at = text.find("<input ", at + 1)) ++inputs;
-  EXPECT_EQ(inputs, 8u) << "four of the hull folder, cells, field, library and mesh:\n" << text;
+  EXPECT_EQ(inputs, 13u) << "two of the database, four of the hull folder, cells, field, library, mesh, two of the "
+                            "current and one of the wind:\n"
+                         << text;
   EXPECT_FALSE(test::mentions(text, "notes.txt"));
   EXPECT_TRUE(test::mentions(text, "<input file=\"inputs/icebreaker/part-02.stl\" sha256=\"" +
                                        file_sha256(folder.path() / "hulls/icebreaker/part-02.stl") + "\"/>"));

@@ -17,6 +17,11 @@ inline void write_inputs(const SceneFolder& folder) {
   folder.write("floes.geojson", "{}");
   folder.write("floes.json", "[]");
   folder.write("quay.stl", "solid quay");
+  folder.write("keel.csv", "z_m,u_m_s,v_m_s\n0,0.1,0\n");
+  folder.write("tide.csv", "t_s,u_m_s,v_m_s\n0,0.1,0\n");
+  folder.write("coefficients.csv", "angle_deg,cx,cy,cn\n");
+  folder.write("ship.1", "1 1 1 1 1");
+  folder.write("ship.hst", "1 1 0");
 }
 
 inline const char* const k_complete_scene = R"(<?xml version="1.0" encoding="UTF-8"?>
@@ -33,15 +38,29 @@ inline const char* const k_complete_scene = R"(<?xml version="1.0" encoding="UTF
     <friction between="quay *" static="0.2"/>
   </contact>
   <water density="1000" level="0.5">
-    <current velocity="0.1 0.2 0"/>
+    <current velocity="0.1 0.2 0" profile="keel.csv" series="tide.csv"/>
+    <waves kind="jonswap" height="0.1" period="2" heading_deg="30" gamma="2" components="20" shortest_period="0.8"
+           spreading="8" ramp="3" depth="2" attenuation="exponential" attenuation_rate="2e-4" ice_edge="5 1"
+           ice_edge_deg="10"/>
+    <waves height="0.05" period="3" phase_deg="45"/>
   </water>
   <hydro>
     <buoyancy/>
     <drag form="1.1" skin="0.006"/>
+    <database file="ship.1" length="2" density="1020" gravity="9.8" depth="80" reference="0 0 -1" origin="0.1 0 0.2"
+              rotation_deg="180"/>
     <virtual_drag coefficient="0.2" velocity="0.389 0 0"/>
+    <wave_loads vessel="none" floes="none"/>
+    <propeller_wash>
+      <jet thruster="stern" diameter="0.2" position="-3 0 -0.2"/>
+      <jet thrust="40" diameter="0.1" position="2 0 -0.2" direction="0 -2 0"/>
+    </propeller_wash>
   </hydro>
+  <wind speed="12" direction_deg="60" density="1.3" profile="power" exponent="0.1" gusts="npd" floe_drag="0.003"/>
   <tank length="40" width="20" depth="2.5" wall_thickness="0.3" floor="false"/>
   <vessel name="polaris" hull="hulls/icebreaker" position="1 2" heading_deg="20">
+    <wind_area model="coefficients" file="coefficients.csv" frontal="0.5" lateral="2" length="6" midship="2.8"
+               lateral_centroid="-0.1" height="0.3"/>
     <mass value="1500" cog="2.9 0 0.1" inertia="90 3200 3250 0 5 0"/>
     <carriage speed="0.3" heading_deg="10" ramp="2" ramp_shape="smooth" joint="2.9 0 0.2" free="heave yaw">
       <force_balance kind="six-cells" stiffness="2e7" damping="2e4" layout="cells.csv"/>

@@ -3,7 +3,7 @@
 
 #include <set>
 
-#include "core/scene/schema/values.h"
+#include "core/scene/spec/values.h"
 #include "tests/core/scene/complete_scene.h"
 
 namespace nilas::scene {

@@ -1,40 +1,25 @@
 /// A scene that names a feature which this version lacks is refused with the place, never ignored.
 #include <gtest/gtest.h>
 
+#include "core/scene/schema/schema.h"
 #include "tests/core/scene/scene_files.h"
 
 namespace nilas::scene {
 namespace not_built_test {
 
-using testing::expect_fault;
 using testing::in_scene;
 using testing::SceneFolder;
 
-struct NotBuilt {
-  std::string content, where;
-};
-
-TEST(NotBuilt, EachIsRefusedWithItsPlace) {
-  const SceneFolder folder;
-  folder.write("file", "");
-  const std::string vessel = "<vessel><hull/><mass value='1'/>";
-  const std::vector<NotBuilt> cases{
-      {"<water><current profile='file'/></water>", "<water><current profile>"},
-      {"<water><waves kind='regular' height='0.1' period='2'/></water>", "<water><waves>"},
-      {"<hydro><added_mass model='strip'/></hydro>", "<hydro><added_mass>"},
-      {"<hydro><radiation model='cummins'/></hydro>", "<hydro><radiation>"},
-      {vessel + "<control mode='dp'/></vessel>", "<vessel><control>"},
-      {vessel + "<thrusters file='file'/></vessel>", "<vessel><thrusters>"},
-      {vessel + "<mooring file='file'/></vessel>", "<vessel><mooring>"}};
-  for (const auto& c : cases) {
-    SCOPED_TRACE(c.content);
-    expect_fault(folder.faults(in_scene(c.content)), 2, c.where, {"not built in this version"});
-  }
-}
-
-TEST(NotBuilt, TheMessageSaysWhatToDo) {
-  const SceneFolder folder;
-  expect_fault(folder.faults(in_scene("<water><waves/></water>")), 2, "<water><waves>", {"remove the element"});
+/// No element of this version is missing, so the rule is shown on an attribute of its own.
+TEST(NotBuilt, IsAChoiceOrAnAttributeThatSaysSo) {
+  AttributeSpec attribute;
+  attribute.type = ValueType::choice;
+  attribute.choices = {"regular", "breaking"};
+  attribute.not_built = {"breaking"};
+  EXPECT_FALSE(is_not_built(attribute, "regular"));
+  EXPECT_TRUE(is_not_built(attribute, "breaking"));
+  attribute.built = false;
+  EXPECT_TRUE(is_not_built(attribute, "regular"));
 }
 
 TEST(NotBuilt, WhatSaysTheSameAsNothingIsTaken) {

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "core/geometry/mass_properties.h"
-#include "core/sim/build/crushing_settings.h"
+#include "core/sim/build/module/crushing_settings.h"
 #include "fracture/model/crushing.h"
 #include "tests/core/sim/crushing_rig.h"
 

@@ -156,5 +156,17 @@ TEST(CrossChecks, AKnownFaultDoesNotBringAnother) {
   EXPECT_EQ(folder.faults(in_scene("<body shape='plane' fixed='no'/>")).size(), 1u);
 }
 
+/// Files of WAMIT have no dimensions, others have no length; a database is that of a vessel.
+TEST(CrossChecks, Database) {
+  const std::string vessel = "<vessel><hull/><mass value='1500'/><fixed/></vessel>";
+  const auto with = [&](const std::string& attributes) {
+    return "<hydro><database " + attributes + "/></hydro>" + vessel;
+  };
+  expect_each({{with("file='ship.1' density='1000' gravity='9.81'"), "<hydro><database>", "length is missing"},
+               {with("file='ship.hst' length='1' gravity='9.81'"), "<hydro><database>", "density is missing"},
+               {with("file='floes.json' length='1'"), "<hydro><database length>", "only WAMIT"},
+               {"<hydro><database file='floes.json'/></hydro>", "<hydro><database>", "no vessel"}});
+}
+
 }  // namespace cross_checks_test
 }  // namespace nilas::scene

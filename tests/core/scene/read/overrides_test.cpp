@@ -78,7 +78,7 @@ TEST_F(Overriding, APlusIsOneMoreAndTheSameForAllPaths) {
 
 TEST_F(Overriding, ValuesAreCheckedAsInTheFile) {
   expect_refused("contact/@tolerance", "-1", "<contact tolerance>", {"found '-1'", ">= 0 [m/s]"});
-  expect_refused("water/waves/@height", "1", "<water><waves>", {"not built"});
+  expect_refused("water/waves[+]/@height", "1", "<water><waves period>", {"the attribute is missing"});
   expect_refused("time/@end", "-5", "<time end>", {"after the start"});
   expect_refused("ice/field[1]/@file", "none.json", "<ice><field file>", {"there is no such file"});
 }

@@ -4,7 +4,7 @@
 
 #include "core/geometry/mesh.h"
 #include "core/geometry/shape.h"
-#include "core/scene/schema/ice_presets.h"
+#include "core/scene/spec/ice_presets.h"
 #include "tests/core/scene/scene_files.h"
 
 namespace nilas::scene {
