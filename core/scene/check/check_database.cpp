@@ -16,6 +16,8 @@ static void check_restoring(const SceneElement& root, const SceneElement& hydro,
     refuse(
         "the linear hydrostatics of a database are those of a whole free vessel; allowed: without <carriage>, "
         "<fixed> and <part>");
+  if (is_named(*vessel, "mooring"))
+    refuse("the rest of a moored vessel is sought with the pressure on its mesh; allowed: without <mooring>");
   const SceneElement* loads = child_of(hydro, "wave_loads");
   if (loads && choice_of<VesselWaveLoads>(*loads, "vessel") == VesselWaveLoads::froude_krylov)
     refuse(

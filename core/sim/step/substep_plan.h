@@ -9,13 +9,15 @@ constexpr double k_shortest_half = 1.0 / 65536;
 
 class SubstepPlan {
  public:
-  /// Plans a step from `t` of length `step` [s], which impacts cut into at most `most` substeps.
-  SubstepPlan(double t, double step, int most) : t_(t), step_(step), longest_(step), most_(most) {}
+  /// Plans a step from `t` to `end` of length `step` [s], which impacts cut into at most `most` substeps. `end` is the
+  /// start of the next step to the last bit, which t + step need not be.
+  SubstepPlan(double t, double end, double step, int most)
+      : t_(t), end_(end), step_(step), longest_(step), most_(most) {}
 
   bool is_done() const { return elapsed_ >= step_; }
   bool is_at_start() const { return elapsed_ == 0; }
   double step() const { return step_; }
-  double now() const { return t_ + elapsed_; }
+  double now() const { return is_done() ? end_ : t_ + elapsed_; }
   /// The rest of the step, or less after halving [s].
   double longest() const { return std::min(step_ - elapsed_, longest_); }
   bool may_cut() const { return cuts_ < most_; }
@@ -31,7 +33,7 @@ class SubstepPlan {
   }
 
  private:
-  double t_, step_, elapsed_ = 0, longest_;
+  double t_, end_, step_, elapsed_ = 0, longest_;
   int most_, cuts_ = 1;
 };
 

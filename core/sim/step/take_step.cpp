@@ -27,7 +27,7 @@ static void end_step(World& world, StepBook& book) {
 
 StepRecord take_step(World& world) {
   StepBook book(world);
-  SubstepPlan plan(world.time(), world.step, world.model.most_substeps);
+  SubstepPlan plan(world.time(), world.time_after(world.steps + 1), world.step, world.model.most_substeps);
   while (!plan.is_done()) {
     const bool first = plan.is_at_start();
 
@@ -61,8 +61,8 @@ StepRecord take_step(World& world) {
     const contact::StepMotion motion = move(world, loads, substep, solved, start.vessel);
     const CorrectedPositions corrected = correct_positions(world, substep, solved, motion);
     plan.take(substep.h, start.h);
-    for (const auto& module : world.parts.modules) module->end_substep(world.parts.bodies, plan.now(), substep.h);
     book.add(substep, loads, std::move(solved), motion, corrected, start.vessel);
+    for (const auto& module : world.parts.modules) module->end_substep(world.parts.bodies, plan.now(), substep.h);
   }
   ++world.steps;
   end_step(world, book);

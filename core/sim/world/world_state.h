@@ -22,7 +22,8 @@ struct World {
 
   std::size_t size() const { return static_cast<std::size_t>(parts.bodies.size()); }
   /// Time at the end of the last step [s].
-  double time() const { return start + static_cast<double>(steps) * step; }
+  double time() const { return time_after(steps); }
+  double time_after(long count) const { return start + static_cast<double>(count) * step; }
   double potential();
   /// Updates all per-body data after bodies changed. `pieces`: new bodies that replace a floe.
   void follow_bodies(const std::vector<fracture::NewPiece>& pieces);

@@ -171,6 +171,15 @@ TEST(Radiation, ContinuesWithTheSameBits) {
   }
 }
 
+/// With semi-implicit Euler, loads are evaluated where the last step ended, to the last bit of its time.
+TEST(Radiation, RunsWithSemiImplicitEuler) {
+  for (const std::string model : {"state-space", "convolution"}) {
+    SceneRig rig = sphere("<radiation model='" + model + "'/>", "<contact integrator='semi-implicit-euler'/>");
+    for (int k = 0; k < 100; ++k) test::expect_energy_kept(rig.balanced_step(1e-9, 1e-6), 1e-9);
+    EXPECT_LT(rig.bodies().p_GB[0].z(), -1.5);
+  }
+}
+
 /// The log names model, order, error and passivity.
 TEST(Radiation, SaysWhatItIs) {
   SceneRig rig = sphere("<radiation/>");
