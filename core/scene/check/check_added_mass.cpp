@@ -33,6 +33,12 @@ void check_added_mass(const SceneElement& root, std::vector<Fault>& faults) {
   const SceneElement* hydro = child_of(root, "hydro");
   const SceneElement* added = hydro ? child_of(*hydro, "added_mass") : nullptr;
   if (!added) return;
+  const SceneElement* water = child_of(root, "water");
+  const SceneElement* current = water ? child_of(*water, "current") : nullptr;
+  for (const char* table : {"profile", "series"})
+    if (current && attribute_of(*current, table))
+      faults.push_back(fault_of(*added, "added mass refers to one velocity of the water, but the current has a " +
+                                            std::string(table) + "; allowed: <current velocity> alone"));
   const auto vessel = choice_of<VesselAddedMass>(*added, "vessel");
   if (!vessel || *vessel == VesselAddedMass::none) return;
   if (!is_named(root, "vessel"))

@@ -11,6 +11,11 @@ void check_remote_control(const SceneElement& root, const SceneElement& vessel, 
     if (child_of(vessel, held))
       faults.push_back(fault_of(
           *remote, "found <" + std::string(held) + ">, which moves or holds the vessel; allowed: a free vessel"));
+  for (const char* other : {"manoeuvre", "control"})
+    if (const SceneElement* controller = child_of(vessel, other);
+        controller && text_of(*controller, "mode").value_or("") != "none")
+      faults.push_back(
+          fault_of(*remote, "found <" + std::string(other) + ">, which gives commands too; allowed: one of them"));
   constexpr std::size_t k_longest = 107;  // bytes that the system takes
   if (const auto socket = text_of(*remote, "socket"); socket && (socket->empty() || socket->size() > k_longest))
     faults.push_back(

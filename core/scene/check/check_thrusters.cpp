@@ -28,13 +28,17 @@ static void check_thruster(const SceneElement& thruster, std::vector<Fault>& fau
                                   format_number(-astern.value_or(*ahead)) + " to " + format_number(*ahead) + " [N]"));
 }
 
-static void check_thruster_names(const SceneElement& thrusters, std::vector<Fault>& faults) {
+static void check_thruster_names(const SceneElement& vessel, const SceneElement& thrusters,
+                                 std::vector<Fault>& faults) {
   std::vector<std::string> taken;
   for (const auto& thruster : thrusters.children) {
     const auto name = text_of(thruster, "name");
     if (!name) continue;
     if (std::find(taken.begin(), taken.end(), *name) != taken.end())
       faults.push_back(fault_of(thruster, "name", "found '" + *name + "' twice; names of thrusters must be unique"));
+    if (*name == "propeller" && is_named(vessel, "manoeuvring"))
+      faults.push_back(
+          fault_of(thruster, "name", "found 'propeller', which is that of <manoeuvring>; allowed: another name"));
     taken.push_back(*name);
   }
 }
@@ -92,7 +96,7 @@ void check_thrusters(const SceneElement& root, const SceneElement& vessel, std::
   if (thrusters->children.empty())
     faults.push_back(fault_of(*thrusters, "found no thruster; allowed: one <thruster> or more"));
   for (const auto& thruster : thrusters->children) check_thruster(thruster, faults);
-  check_thruster_names(*thrusters, faults);
+  check_thruster_names(vessel, *thrusters, faults);
   const SceneElement* contact = child_of(root, "contact");
   if (contact && text_of(*contact, "integrator") == "reference")
     faults.push_back(fault_of(*thrusters,
