@@ -11,6 +11,7 @@
 
 #include "core/base/state.h"
 #include "core/bodies/bodies.h"
+#include "core/bodies/drawn_line.h"
 
 namespace nilas::contact {
 struct StepMotion;
@@ -137,6 +138,8 @@ class Module {
   virtual std::optional<double> total(std::string_view /*name*/) const { return std::nullopt; }
   /// A value of one body, by its id: k_damage, or one of the module's own. Empty where the module has no such value.
   virtual std::optional<double> of_body(std::string_view /*name*/, std::int64_t /*id*/) const { return std::nullopt; }
+  /// What pictures show of this module at the present poses.
+  virtual std::vector<DrawnLine> drawn(const Bodies& /*bodies*/) const { return {}; }
   /// Figures of the run so far. Their keys in summary.json stand under the module's name.
   virtual std::vector<RunFigure> figures() const { return {}; }
 

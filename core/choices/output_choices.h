@@ -34,4 +34,16 @@ constexpr ChoiceText choice_text(StoredProblems value) {
   return {};
 }
 
+/// Which mesh of the hull a viewer draws at first.
+enum class ViewedMesh { collision, fluid };
+constexpr ChoiceText choice_text(ViewedMesh value) {
+  switch (value) {
+    case ViewedMesh::collision:
+      return {"collision", "The convex pieces that meet the ice are drawn."};
+    case ViewedMesh::fluid:
+      return {"fluid", "The closed surface that meets the water is drawn."};
+  }
+  return {};
+}
+
 }  // namespace nilas

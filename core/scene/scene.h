@@ -55,6 +55,7 @@ struct Scene {
   std::optional<FractureScene> fracture;
   std::vector<BodyScene> bodies;
   OutputScene output;
+  std::optional<ViewScene> view;
   std::vector<std::string> notes;    ///< notes to print once, such as a replaced default
   std::vector<std::string> derived;  ///< defaults that follow from the scene's scale, and why
   std::vector<Fault> warnings;       ///< valid but implausible values, with their places

@@ -59,6 +59,12 @@ std::vector<std::pair<std::string, std::vector<bodies::RunFigure>>> Simulation::
     if (auto own = module->figures(); !own.empty()) all.emplace_back(module->name(), std::move(own));
   return all;
 }
+std::vector<bodies::DrawnLine> Simulation::drawn() const {
+  std::vector<bodies::DrawnLine> all;
+  for (const auto& module : world_->parts.modules)
+    for (auto& line : module->drawn(world_->parts.bodies)) all.push_back(std::move(line));
+  return all;
+}
 double Simulation::of_body(std::string_view name, std::int64_t id) const {
   bool known = name == bodies::k_damage;
   double sum = 0;

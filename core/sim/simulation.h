@@ -51,6 +51,8 @@ class Simulation {
   double total(std::string_view name) const;
   /// The figures that modules give of the run so far, with the name of each module that gives any.
   std::vector<std::pair<std::string, std::vector<bodies::RunFigure>>> figures() const;
+  /// What pictures show of the modules beside the bodies, at the present poses.
+  std::vector<bodies::DrawnLine> drawn() const;
   /// The same for one body, by its id; the name that may be unknown to all modules is bodies::k_damage.
   double of_body(std::string_view name, std::int64_t id) const;
 

@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "core/hdf5/hdf5_file.h"
+#include "tests/core/output/replay/replay_reader.h"
 #include "tests/support/mentions.h"
 #include "tests/support/started_program.h"
 
@@ -79,6 +80,27 @@ void expect_same_contacts(const fs::path& one, const fs::path& other) {
   EXPECT_EQ(a.wide_integers("steps"), b.wide_integers("steps"));
 }
 
+/// Frames apart from the times that phases took. Where key frames lie depends on where the run was stopped.
+void expect_same_replay(const fs::path& one, const fs::path& other) {
+  const nilas::test::Replay a(read_text(one)), b(read_text(other));
+  EXPECT_EQ(a.head, b.head);
+  EXPECT_EQ(a.end, b.end);
+  ASSERT_EQ(a.frames.size(), b.frames.size());
+  for (std::size_t k = 0; k < a.frames.size(); ++k) {
+    const auto &x = a.frames[k], &y = b.frames[k];
+    EXPECT_EQ(x.t, y.t);
+    ASSERT_EQ(x.bodies.size(), y.bodies.size());
+    for (std::size_t i = 0; i < x.bodies.size(); ++i) EXPECT_EQ(x.bodies[i].now, y.bodies[i].now);
+    ASSERT_EQ(x.contacts.size(), y.contacts.size());
+    for (std::size_t i = 0; i < x.contacts.size(); ++i) EXPECT_EQ(x.contacts[i].force, y.contacts[i].force);
+    for (std::size_t i = 0; i < x.channels.size(); ++i) {
+      if (a.head.at("channels")[i].at("group") != "time") {
+        EXPECT_EQ(x.channels[i], y.channels[i]) << a.head.at("channels")[i];
+      }
+    }
+  }
+}
+
 /// Compares every file of both folders except the log, the checkpoint and wall times.
 void expect_same_run(const fs::path& one, const fs::path& other) {
   EXPECT_EQ(files_in(one), files_in(other));
@@ -86,6 +108,8 @@ void expect_same_run(const fs::path& one, const fs::path& other) {
     if (file == "nilas.log" || file == "checkpoint.h5") continue;
     if (file == "steps.csv") {
       expect_same_steps(one / file, other / file);
+    } else if (file == "replay.bin") {
+      expect_same_replay(one / file, other / file);
     } else if (file == "contacts.h5") {
       expect_same_contacts(one / file, other / file);
     } else if (fs::path(file).extension() == ".hdf5") {

@@ -14,6 +14,7 @@
 #include "apps/nilas/commands/resume.h"
 #include "apps/nilas/commands/scene_flags.h"
 #include "apps/nilas/commands/twin_runs.h"
+#include "apps/view/live_server.h"
 #include "core/base/error.h"
 #include "core/base/machine.h"
 #include "core/base/stop_request.h"
@@ -40,6 +41,8 @@ struct RunOptions {
   int threads = 1, twins = 0;
   bool force = false, json = false, quiet = false, open_water = false;
   std::string open_water_run;
+  bool view = false;
+  view::LiveAddress view_address;
 };
 
 /// The open-water run of --open-water-run, if any. Throws, as OpenWater does, before a file of an earlier run is
@@ -92,6 +95,7 @@ class Run {
         warnings_(logger_) {}
 
   int execute() {
+    if (options_.view) open_view();
     const auto built = build();
     sim::Simulation& simulation = *built;
     if (options_.open_water) open_water_ = tow_without_ice();
@@ -103,6 +107,7 @@ class Run {
       go_on(simulation, console);
     else
       begin(simulation);
+    if (live_) live_->written(folder_.replay_bytes());
     const Ending ending = advance(simulation, console);
     const double wall = wall_seconds(), processor = run_processor_seconds();
     if (!ending.early.empty())
@@ -131,6 +136,8 @@ class Run {
       ice = {simulation.info().floes, floes_of(simulation.bodies()), input.crushed_mass,
              input.brash_mass,        input.extruded_mass,           crushes};
     const auto summary = folder_.finish(std::move(input), simulation.bodies());
+    if (live_) live_->written(folder_.replay_bytes());
+    live_.reset();
     if (const auto count = simulation.info().warnings.size(); count > 0)
       logger_->warn("{} about the scene {} printed at the start; see nilas.log", count == 1 ? "a warning" : "warnings",
                     count == 1 ? "was" : "were");
@@ -171,6 +178,20 @@ class Run {
       if (!goes_on_) folder_.abandon();
       throw;
     }
+  }
+
+  /// Opens the live view before anything takes long, so that a port in use is told at once.
+  void open_view() {
+    try {
+      if (scene_.output.trajectory_every <= 0)
+        throw InputError(
+            "--view shows the stored frames, and this run stores none: set <output trajectory_every> above 0");
+      live_ = std::make_unique<view::LiveServer>(options_.view_address, scene_.name, folder_.replay_file());
+    } catch (...) {
+      if (!goes_on_) folder_.abandon();
+      throw;
+    }
+    std::cerr << "live view: " << live_->address() << "\n";
   }
 
   OpenWater tow_without_ice() {
@@ -240,10 +261,15 @@ class Run {
       for (long k = done; k < steps && !stop_requested(); ++k) {
         ending.early = simulation.end_of_course();
         if (!ending.early.empty()) break;
+        if (live_) live_->control().hold(simulation.time(), stop_requested);
+        if (stop_requested()) break;
         const sim::StepRecord record = twins_ ? twins_->step(simulation) : simulation.step();
         folder_.store(record, simulation.last_problem());
-        folder_.record(record, simulation.solved_substeps(), simulation.bodies(),
-                       [&](std::int64_t floe) { return simulation.of_body(bodies::k_damage, floe); });
+        folder_.record(
+            record, simulation.solved_substeps(), simulation.bodies(),
+            [&](std::int64_t floe) { return simulation.of_body(bodies::k_damage, floe); },
+            [&] { return simulation.drawn(); });
+        if (live_) live_->written(folder_.replay_bytes());
         console.progress(simulation.time(), k + 1 - done);
         if (checkpoint_steps > 0 && (k + 1) % checkpoint_steps == 0) write_checkpoint(simulation);
       }
@@ -310,6 +336,7 @@ class Run {
   bool goes_on_ = false;                         ///< the run continues one that the folder holds
   std::optional<State> checkpoint_;              ///< the state from which the run continues
   std::optional<sim::CheckpointOrigin> origin_;  ///< the origin of the checkpoints, once there are any
+  std::unique_ptr<view::LiveServer> live_;       ///< the live view, if it is asked for
   std::optional<TwinRuns> twins_;                ///< the perturbed runs, if they are asked for
   long steps_saved_ = -1;                        ///< steps in the newest checkpoint; -1: there is none
   double started_ = output::steady_seconds(), wall_before_ = 0;
@@ -326,7 +353,7 @@ void demand_resumable(const CLI::App& command) {
       throw InputError(
           std::string("--resume: a run continues with its own settings in its own folder; remove ") + flag +
           " (allowed: --until, --statistics, --open-water, --open-water-run, --checkpoint-every, --threads, --json, "
-          "--quiet, --log-level)");
+          "--quiet, --log-level, --view, --view-port, --view-host)");
 }
 
 /// States whether a run that is done can be continued. `summary`: the text of its summary.json.
@@ -343,6 +370,22 @@ int resume_run(const RunOptions& options) {
   else if (!options.quiet)
     std::cout << options.resume << ": the run is done already; " << how_to_go_on(stopped.summary) << "\n";
   return exit_done;
+}
+
+void add_view_flags(CLI::App& command, RunOptions& options) {
+  auto* view = command.add_flag("--view", options.view,
+                                "Shows the run in a browser of this machine while it goes on. The address is printed.");
+  command
+      .add_option("--view-port", options.view_address.port,
+                  "Opens this port for the live view, as for a tunnel by ssh. The default is any free one.")
+      ->check(CLI::Range(0, 65535))
+      ->needs(view);
+  command
+      .add_option("--view-host", options.view_address.host,
+                  "Opens the live view on this address, so that other machines may reach it. Use it only in a network "
+                  "that you trust, since the traffic is not encrypted; a tunnel by ssh is safer.")
+      ->needs(view)
+      ->capture_default_str();
 }
 
 }  // namespace
@@ -377,6 +420,7 @@ void add_run(CLI::App& app, Action& action) {
           "holds means, standard errors and the predictability horizon.")
       ->check(CLI::Range(0, 1000))
       ->capture_default_str();
+  add_view_flags(*command, *options);
   command->add_flag("--open-water", options->open_water,
                     "First tows the same vessel without ice. The mean force of that is deducted from the tow force.");
   command

@@ -21,6 +21,7 @@ void add_solvers(CLI::App& app, Action& action);
 void add_verify(CLI::App& app, Action& action);
 void add_compare(CLI::App& app, Action& action);
 void add_report(CLI::App& app, Action& action);
+void add_view(CLI::App& app, Action& action);
 void add_problems(CLI::App& app, Action& action);
 void add_schema(CLI::App& app, Action& action);
 

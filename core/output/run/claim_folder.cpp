@@ -29,9 +29,10 @@ constexpr const char* k_log = "nilas.log";
 
 /// All files that a run writes directly into its folder.
 const std::vector<std::string>& own_files() {
-  static const std::vector<std::string> names{
-      "scene.xml",   "vessel.csv",  "structures.csv", "steps.csv",  "contacts.h5", "trajectory.pvd", "events.csv",
-      "replay.html", "report.html", "summary.json",   "bodies.csv", k_log,         "checkpoint.h5",  "parts.csv"};
+  static const std::vector<std::string> names{"scene.xml",   "vessel.csv",     "structures.csv", "steps.csv",
+                                              "contacts.h5", "trajectory.pvd", "events.csv",     "replay.bin",
+                                              "replay.html", "report.html",    "summary.json",   "bodies.csv",
+                                              k_log,         "checkpoint.h5",  "parts.csv"};
   return names;
 }
 

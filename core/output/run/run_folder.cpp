@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "core/base/error.h"
+#include "core/output/replay/replay_file.h"
 #include "core/output/run/claim_folder.h"
 #include "core/output/run/run_inputs.h"
 #include "core/output/run/scene_xml.h"
@@ -48,7 +49,16 @@ struct RunFolder::Outputs {
     if (scene.fracture && scene.fracture->cuts_floes())
       events.emplace(folder / "events.csv", kept_bytes(from, "events.csv"));
     if (snapshot_every > 0) trajectory.emplace(folder, scene, contacts.has_value(), kept_bytes(from, "trajectory.pvd"));
+    if (snapshot_every > 0) open_replay(folder, scene, from);
     if (from != nullptr) restore(*from);
+  }
+
+  void open_replay(const std::filesystem::path& folder, const scene::Scene& scene, const StateReader* from) {
+    std::optional<StateReader> kept;
+    if (from != nullptr) kept = from->group("replay");
+    const std::vector<std::string> no_vessel;
+    replay.emplace(folder / "replay.bin", scene, info, vessel ? channels.names() : no_vessel, contacts.has_value(),
+                   kept_bytes(from, "replay.bin"), kept ? &*kept : nullptr);
   }
 
   /// Opens bodies.csv. The default depends on the number of bodies at the start, before any broke.
@@ -66,6 +76,7 @@ struct RunFolder::Outputs {
     if (structures) call("structures.csv", structures->file());
     if (bodies) call("bodies.csv", bodies->file());
     if (trajectory) call("trajectory.pvd", trajectory->list());
+    if (replay) call("replay.bin", replay->file());
     if (events) call("events.csv", events->file());
   }
 
@@ -77,6 +88,7 @@ struct RunFolder::Outputs {
     statistics.save(out.group("statistics"));
     problems.save(out.group("problems"));
     if (contacts) contacts->save(out.group("contacts"));
+    if (replay) replay->save(out.group("replay"));
   }
 
   void restore(const StateReader& in) {
@@ -114,6 +126,7 @@ struct RunFolder::Outputs {
   std::optional<StructuresCsv> structures;
   std::optional<BodiesCsv> bodies;
   std::optional<Trajectory> trajectory;
+  std::optional<replay::ReplayFile> replay;
   std::optional<EventsCsv> events;
   std::optional<ContactsH5> contacts;
   ProblemFiles problems;
@@ -166,11 +179,14 @@ void RunFolder::start(double t, const sim::Ledger& ledger, const bodies::Bodies&
   out.t_start = t;
   out.statistics.start(t, ledger);
   out.open_bodies(path_, nullptr);
-  if (out.snapshot_due(t, 0)) write_snapshot(t, 0, bodies, {});
+  if (!out.snapshot_due(t, 0)) return;
+  write_snapshot(t, 0, bodies, {});
+  if (out.replay)
+    out.replay->frame({.t = t, .h = 0, .step = 0, .bodies = bodies, .substeps = {}, .damage = {}, .lines = {}});
 }
 
 void RunFolder::record(sim::StepRecord record, const std::vector<contact::SolvedProblem>& parts,
-                       const bodies::Bodies& bodies, const FloeDamage& damage) {
+                       const bodies::Bodies& bodies, const FloeDamage& damage, const DrawnLines& lines) {
   using Clock = std::chrono::steady_clock;
   const auto begin = Clock::now();
   NILAS_DEMAND(outputs_ != nullptr);
@@ -187,8 +203,18 @@ void RunFolder::record(sim::StepRecord record, const std::vector<contact::Solved
   if (out.structures) out.structures->row(record);
   if (out.contacts) out.contacts->step(record, parts, loaded_bodies(bodies, out.info));
   if (out.events) out.events->rows(record.broken);
-  if (out.snapshot_due(record.t, record.h))
+  if (out.replay) out.replay->note(record, out.vessel_values);
+  if (out.snapshot_due(record.t, record.h)) {
     write_snapshot(record.t, record.step, bodies, {out.shown_contacts(parts, bodies), record.h, damage});
+    if (out.replay)
+      out.replay->frame({.t = record.t,
+                         .h = record.h,
+                         .step = record.step,
+                         .bodies = bodies,
+                         .substeps = parts,
+                         .damage = damage,
+                         .lines = lines ? lines() : std::vector<bodies::DrawnLine>()});
+  }
   record.ms[static_cast<std::size_t>(sim::Phase::output)] +=
       std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
   out.steps.row(record);
@@ -212,6 +238,12 @@ void RunFolder::write_snapshot(double t, long step, const bodies::Bodies& bodies
   if (out.trajectory) out.trajectory->frame(t, step, bodies, shown);
 }
 
+/// How a run ended, for its viewers.
+static std::string ending_sentence(const SummaryInput& input) {
+  if (!input.ended_early.empty()) return "The run ended early: " + input.ended_early + ".";
+  return input.status == "done" ? "The run reached its end." : "The run ended with the status '" + input.status + "'.";
+}
+
 nlohmann::ordered_json RunFolder::finish(SummaryInput input, const bodies::Bodies& bodies) {
   NILAS_DEMAND(outputs_ != nullptr);
   Outputs& out = *outputs_;
@@ -221,6 +253,7 @@ nlohmann::ordered_json RunFolder::finish(SummaryInput input, const bodies::Bodie
   if (out.structures) out.structures->finish();
   if (out.bodies) out.bodies->finish();
   if (out.trajectory) out.trajectory->finish();
+  if (out.replay) out.replay->finish(ending_sentence(input));
   if (out.events) out.events->finish();
   if (out.contacts) out.contacts->finish();
   input.ice_mass_end = free_ice_mass(bodies);
@@ -233,6 +266,10 @@ nlohmann::ordered_json RunFolder::finish(SummaryInput input, const bodies::Bodie
 const RunStatistics& RunFolder::statistics() const {
   NILAS_DEMAND(outputs_ != nullptr);
   return outputs_->statistics;
+}
+
+std::int64_t RunFolder::replay_bytes() const {
+  return outputs_ && outputs_->replay ? outputs_->replay->file().bytes() : 0;
 }
 
 double free_ice_mass(const bodies::Bodies& bodies) {

@@ -1,6 +1,7 @@
 #pragma once
 /// The folder of one run and the outputs in it.
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -19,6 +20,9 @@
 
 namespace nilas::output {
 
+/// Asked for what the modules draw, where a frame is due.
+using DrawnLines = std::function<std::vector<bodies::DrawnLine>()>;
+
 /// The outputs of one run. Order of calls: constructor, open() and start(), or resume(); record() per step; finish().
 /// Every complete step is readable at any time.
 class RunFolder {
@@ -36,10 +40,12 @@ class RunFolder {
   std::filesystem::path scene_file() const { return scene_file(path_); }
   std::filesystem::path summary_file() const { return summary_file(path_); }
   std::filesystem::path checkpoint_file() const { return checkpoint_file(path_); }
+  std::filesystem::path replay_file() const { return replay_file(path_); }
   /// The same files of a folder that is not claimed.
   static std::filesystem::path scene_file(const std::filesystem::path& folder) { return folder / "scene.xml"; }
   static std::filesystem::path summary_file(const std::filesystem::path& folder) { return folder / "summary.json"; }
   static std::filesystem::path checkpoint_file(const std::filesystem::path& folder) { return folder / "checkpoint.h5"; }
+  static std::filesystem::path replay_file(const std::filesystem::path& folder) { return folder / "replay.bin"; }
 
   /// Removes the log, and the folder if it is then empty, after a run that could not begin.
   void abandon() const;
@@ -53,10 +59,11 @@ class RunFolder {
   /// checkpoint.h5; rows and frames of later steps are removed. Throws FileError, and InputError where an output is too
   /// short.
   void resume(const scene::Scene& scene, const sim::RunInfo& info, WarningCounts& warnings, const StateReader& in);
-  /// Writes one step. `parts`: its contact problems; `bodies`: at its end; `damage`: that of the floes. The time spent
+  /// Writes one step. `parts`: its contact problems; `bodies`: at its end; `damage`: that of the floes;
+  /// `lines`: what the modules draw. The time spent
   /// here counts as Phase::output. Throws FileError.
   void record(sim::StepRecord record, const std::vector<contact::SolvedProblem>& parts, const bodies::Bodies& bodies,
-              const FloeDamage& damage = {});
+              const FloeDamage& damage = {}, const DrawnLines& lines = {});
   /// Stores the step's contact problem, where the scene asks for it. Throws FileError.
   void store(const sim::StepRecord& record, const contact::SolvedProblem& solved);
   /// Stores the problem at which the numerics failed. Throws FileError.
@@ -66,6 +73,8 @@ class RunFolder {
   /// Closes the outputs and writes summary.json, including the mass of the free ice in `bodies`. Throws FileError.
   nlohmann::ordered_json finish(SummaryInput input, const bodies::Bodies& bodies);
   const RunStatistics& statistics() const;
+  /// Number of bytes of whole pieces in the replay file; 0 where the run stores no frames.
+  std::int64_t replay_bytes() const;
 
  private:
   struct Outputs;

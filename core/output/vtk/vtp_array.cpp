@@ -1,7 +1,6 @@
 #include "core/output/vtk/vtp_array.h"
 
 #include <fmt/format.h>
-#include <openssl/evp.h>
 
 #include <algorithm>
 #include <array>
@@ -10,6 +9,7 @@
 #include <cstring>
 
 #include "core/base/error.h"
+#include "core/output/file/base64.h"
 
 namespace nilas::output {
 
@@ -36,29 +36,11 @@ void add_token(std::size_t literals, std::size_t match, std::string& block) {
   add_length(literals, block);
 }
 
-void add_base64(const void* data, std::size_t size, std::string& text) {
-  const std::size_t before = text.size(), length = 4 * ((size + 2) / 3);
-  text.resize(before + length + 1);  // OpenSSL appends a zero
-  auto* out = reinterpret_cast<unsigned char*>(text.data() + before);
-  EVP_EncodeBlock(out, static_cast<const unsigned char*>(data), static_cast<int>(size));
-  text.pop_back();
-}
-
-/// Decodes whole groups of four characters, including the zeros that pad the last group.
-std::string from_base64(std::string_view text) {
-  std::string bytes(text.size() / 4 * 3, '\0');
-  const auto* in = reinterpret_cast<const unsigned char*>(text.data());
-  auto* out = reinterpret_cast<unsigned char*>(bytes.data());
-  if (text.size() % 4 != 0 || EVP_DecodeBlock(out, in, static_cast<int>(text.size())) < 0)
-    throw InputError("is no base64 text");
-  return bytes;
-}
-
 /// The text of an array without values: number of blocks, plain size and size of the last partial block are 0.
 std::string empty_array() {
   constexpr std::array<std::uint32_t, 3> k_header{};
   std::string text;
-  add_base64(k_header.data(), sizeof(k_header), text);
+  add_base64(std::as_bytes(std::span(k_header)), text);
   return text;
 }
 
@@ -72,8 +54,8 @@ void add_block(std::span<const std::byte> bytes, std::size_t width, std::string&
   // One block: count, plain size, size of the last partial block, compressed size.
   const std::array<std::uint32_t, 4> header{1, static_cast<std::uint32_t>(bytes.size()), 0,
                                             static_cast<std::uint32_t>(block.size())};
-  add_base64(header.data(), sizeof(header), text);
-  add_base64(block.data(), block.size(), text);
+  add_base64(std::as_bytes(std::span(header)), text);
+  add_base64(std::as_bytes(std::span(block)), text);
 }
 
 }  // namespace

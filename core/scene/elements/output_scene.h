@@ -1,9 +1,10 @@
 #pragma once
-/// Values of <output>.
+/// Values of <output> and <view>.
 #include <array>
 #include <optional>
 #include <string>
 
+#include "core/base/math.h"
 #include "core/choices/output_choices.h"
 
 namespace nilas::scene {
@@ -20,6 +21,17 @@ struct OutputScene {
   std::optional<double> peak_filter;  ///< averaging time of filtered peaks [s]; default: follows from the length
 
   bool operator==(const OutputScene&) const = default;
+};
+
+/// The first view of a viewer.
+struct ViewScene {
+  double camera_elevation_deg = 25, camera_heading_deg = 200;
+  double camera_distance = 12;  ///< from the target [m]
+  Vec3 target = Vec3::Zero();   ///< [m]
+  ViewedMesh mesh = ViewedMesh::fluid;
+  bool wireframe = false, normals = false;
+
+  bool operator==(const ViewScene&) const = default;
 };
 
 }  // namespace nilas::scene

@@ -196,6 +196,18 @@ static OutputScene build_output(const SceneElement& element) {
   return output;
 }
 
+static ViewScene build_view(const SceneElement& element) {
+  ViewScene view;
+  assign(view.camera_elevation_deg, element, "camera_elevation_deg");
+  assign(view.camera_heading_deg, element, "camera_heading_deg");
+  assign(view.camera_distance, element, "camera_distance");
+  assign(view.target, element, "target");
+  assign(view.mesh, element, "mesh");
+  assign(view.wireframe, element, "wireframe");
+  assign(view.normals, element, "normals");
+  return view;
+}
+
 static void build_time(TimeScene& time, const SceneElement& element) {
   assign(time.step, element, "step");
   assign(time.start, element, "start");
@@ -221,6 +233,7 @@ static void build_element(Scene& scene, const SceneElement& element) {
   if (name == "fracture") scene.fracture = build_fracture(element);
   if (name == "body") scene.bodies.push_back(build_body(element));
   if (name == "output") scene.output = build_output(element);
+  if (name == "view") scene.view = build_view(element);
 }
 
 Scene build_scene(const SceneElement& root) {

@@ -45,7 +45,6 @@ class Resolver {
  private:
   void resolve(SceneElement& element) {
     const ElementSpec& spec = *find_element(element.name);
-    if (!spec.remark.empty()) note(element.path, spec.remark);
     for (auto& attribute : element.attributes)
       if (attribute.valid) spell(attribute, *find_attribute(spec, attribute.name));
     for (const auto& attribute : spec.attributes) add_default(element, attribute);

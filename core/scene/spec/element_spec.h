@@ -65,7 +65,6 @@ struct ElementSpec {
   bool always = false;     ///< true: an absent element means its defaults, and the scene as run contains it
   Condition applies = {};  ///< condition on an attribute of the parent
   bool built = true;
-  std::string remark = {};  ///< printed once when the element is present
   std::string doc = {};
   std::vector<AttributeSpec> attributes = {};
 };

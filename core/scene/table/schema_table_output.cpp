@@ -57,31 +57,32 @@ static ElementSpec output() {
 }
 
 static ElementSpec view() {
-  const auto degrees = [](const std::string& name, const Range& range, const std::string& value,
-                          const std::string& doc) {
-    return AttributeSpec{.name = name, .unit = "deg", .range = range, .default_value = value, .doc = doc};
+  const ViewScene values;
+  const auto degrees = [](const std::string& name, const Range& range, double value, const std::string& doc) {
+    return AttributeSpec{.name = name, .unit = "deg", .range = range, .default_value = written(value), .doc = doc};
   };
-  return {
-      .name = "view",
-      .parent = "scene",
-      .remark = "this version has no viewer, so the element has no effect",
-      .doc = "It sets the first view of the scene in a viewer. It has no effect on the run.",
-      .attributes = {
-          degrees("camera_elevation_deg", within(-90, 90), "25", "It is the camera's angle above the horizon."),
-          degrees("camera_heading_deg", {}, "200", "The camera looks in this direction."),
-          {.name = "camera_distance",
-           .unit = "m",
-           .range = above(0),
-           .default_value = "12",
-           .doc = "It is the camera's distance from the target."},
-          three("target", "m", "The camera looks at this point."),
-          {.name = "mesh",
-           .type = ValueType::choice,
-           .choices = {"collision", "fluid"},
-           .default_value = "fluid",
-           .doc = "It selects the mesh of the hull that is drawn."},
-          {.name = "wireframe", .type = ValueType::boolean, .default_value = "false", .doc = "Only edges are drawn."},
-          {.name = "normals", .type = ValueType::boolean, .default_value = "false", .doc = "Face normals are drawn."}}};
+  return {.name = "view",
+          .parent = "scene",
+          .doc = "It sets the first view of the scene in a viewer. It has no effect on the run.",
+          .attributes = {degrees("camera_elevation_deg", within(-90, 90), values.camera_elevation_deg,
+                                 "It is the camera's angle above the horizon."),
+                         degrees("camera_heading_deg", {}, values.camera_heading_deg,
+                                 "The camera looks in this direction, counted from x towards y."),
+                         {.name = "camera_distance",
+                          .unit = "m",
+                          .range = above(0),
+                          .default_value = written(values.camera_distance),
+                          .doc = "It is the camera's distance from the target."},
+                         three("target", "m", "The camera looks at this point."),
+                         choice("mesh", values.mesh, "It selects the mesh of the hull that is drawn."),
+                         {.name = "wireframe",
+                          .type = ValueType::boolean,
+                          .default_value = written(values.wireframe),
+                          .doc = "Only edges are drawn."},
+                         {.name = "normals",
+                          .type = ValueType::boolean,
+                          .default_value = written(values.normals),
+                          .doc = "The normals of contacts are drawn."}}};
 }
 
 static ElementSpec input() {

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/vessel/mooring/line_shape.h"
 #include "core/vessel/mooring/mooring_model.h"
 
 namespace nilas::vessel {
@@ -136,6 +137,17 @@ Mat6 mooring_stiffness(const MooringModel& model, const MooringState& state, con
   }
   if (model.turret && model.turret->friction == 0 && turret > 0) sum -= mixed * mixed.transpose() / turret;
   return sum;
+}
+
+std::vector<std::vector<Vec3>> mooring_shapes(const MooringModel& model, const MooringState& state, const Pose& pose) {
+  const Geometry geometry(model, pose);
+  std::vector<std::vector<Vec3>> shapes(model.lines.size());
+  for (std::size_t k = 0; k < model.lines.size(); ++k) {
+    if (state.broken[k] != 0) continue;
+    const Fairlead fairlead = geometry.at(model.lines[k], state.turret_angle);
+    shapes[k] = line_shape(model.lines[k], model.bed, pose.p + fairlead.arm);
+  }
+  return shapes;
 }
 
 }  // namespace nilas::vessel

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/base/error.h"
+#include "core/vessel/mooring/line_shape.h"
 
 namespace nilas::vessel {
 
@@ -49,6 +50,15 @@ class Mooring : public bodies::ForceModule {
     for (std::size_t k = 0; k < tensions_.size(); ++k) values.push_back(state_.broken[k] != 0 ? 0 : tensions_[k]);
     values.push_back(static_cast<double>(std::count(state_.broken.begin(), state_.broken.end(), 1)));
     if (model_.turret) values.push_back(state_.turret_angle);
+  }
+
+  std::vector<bodies::DrawnLine> drawn(const bodies::Bodies& bodies) const override {
+    const std::vector<std::vector<Vec3>> shapes = mooring_shapes(model_, state_, pose_of(bodies));
+    std::vector<bodies::DrawnLine> lines;
+    for (std::size_t k = 0; k < shapes.size(); ++k)
+      if (!shapes[k].empty())
+        lines.push_back({bodies::DrawnLine::Kind::mooring, model_.lines[k].name, tensions_[k], shapes[k]});
+    return lines;
   }
 
   void save(const bodies::Bodies& /*bodies*/, StateWriter out) const override {

@@ -47,22 +47,24 @@ class ThrusterModule : public bodies::ForceModule {
   std::optional<Vec3> drift() const override { return Vec3::Zero(); }
 
   void add_forces(const bodies::Bodies& bodies, double t, bodies::Wrenches& out) override {
-    const int b = settings_.hull;
-    const Mat3& R = bodies.R_GB[b];
     for (std::size_t k = 0; k < states_.size(); ++k) {
-      const Thruster& thruster = settings_.thrusters[k];
-      const Vec3 arm = R * (thruster.at_V - settings_.com_V), point = bodies.p_GB[b] + arm;
-      Vec3 velocity = bodies.velocity_at(b, point);
-      if (settings_.water_velocity) velocity -= settings_.water_velocity(point, t);
-      const Vec3 through = R.transpose() * velocity;
-      const Vec2 in_vessel = thruster_force(thruster, states_[k], through.head<2>());
-      const Vec3 force = R * Vec3(in_vessel.x(), in_vessel.y(), 0);
-      out[b] += {force, arm.cross(force)};
+      const PointForce at = force_of(k, bodies, t);
+      out[settings_.hull] += {at.force, at.arm.cross(at.force)};
     }
+  }
+  std::vector<bodies::DrawnLine> drawn(const bodies::Bodies& bodies) const override {
+    std::vector<bodies::DrawnLine> lines;
+    for (std::size_t k = 0; k < states_.size(); ++k) {
+      const PointForce at = force_of(k, bodies, time_);
+      bodies::add_arrow(bodies::DrawnLine::Kind::thruster, settings_.thrusters[k].name,
+                        bodies.p_GB[settings_.hull] + at.arm, at.force, lines);
+    }
+    return lines;
   }
 
   void end_substep(const bodies::Bodies& /*bodies*/, double t, double h) override {
     energy_ += h * power();
+    time_ = t;
     for (std::size_t k = 0; k < states_.size(); ++k) {
       const Thruster& thruster = settings_.thrusters[k];
       const ThrusterChannels& at = indices_[k];
@@ -120,6 +122,21 @@ class ThrusterModule : public bodies::ForceModule {
   }
 
  private:
+  /// A force in G, and the arm from the centre of mass to where it acts.
+  struct PointForce {
+    Vec3 arm, force;
+  };
+  PointForce force_of(std::size_t k, const bodies::Bodies& bodies, double t) const {
+    const int b = settings_.hull;
+    const Mat3& R = bodies.R_GB[b];
+    const Thruster& thruster = settings_.thrusters[k];
+    const Vec3 arm = R * (thruster.at_V - settings_.com_V), point = bodies.p_GB[b] + arm;
+    Vec3 velocity = bodies.velocity_at(b, point);
+    if (settings_.water_velocity) velocity -= settings_.water_velocity(point, t);
+    const Vec3 through = R.transpose() * velocity;
+    const Vec2 in_vessel = thruster_force(thruster, states_[k], through.head<2>());
+    return {arm, R * Vec3(in_vessel.x(), in_vessel.y(), 0)};
+  }
   double power() const {
     double sum = 0;
     for (std::size_t k = 0; k < states_.size(); ++k) sum += settings_.thrusters[k].power_at(states_[k].thrust);
@@ -131,6 +148,7 @@ class ThrusterModule : public bodies::ForceModule {
   std::vector<ThrusterState> states_;
   std::vector<ThrusterChannels> indices_;
   double energy_ = 0;  ///< taken since the start [J]
+  double time_ = 0;    ///< end of the last substep, for pictures [s]
 };
 
 }  // namespace

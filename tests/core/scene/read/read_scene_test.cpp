@@ -206,11 +206,10 @@ TEST_F(CompleteScene, Bodies) {
 }
 
 TEST_F(CompleteScene, OnlyWhatHasNoEffectIsNoted) {
-  ASSERT_EQ(scene_.notes.size(), 3u) << scene_.notes.back();
+  ASSERT_EQ(scene_.notes.size(), 2u) << scene_.notes.back();
   EXPECT_EQ(scene_.notes[0],
             "<ice><vary>: flexural_strength has no effect in a run without <fracture>; `nilas field` writes it.");
   EXPECT_EQ(scene_.notes[1], "<ice>: breakable has no effect in a run without <fracture>.");
-  EXPECT_EQ(scene_.notes[2], "<view>: this version has no viewer, so the element has no effect.");
 }
 
 TEST(ReadScene, WhatIsNotNamedIsNotThere) {

@@ -1,0 +1,65 @@
+#include "apps/view/page.h"
+
+#include <nlohmann/json.hpp>
+#include <span>
+
+#include "apps/view/page_template.h"
+#include "core/base/error.h"
+#include "core/output/file/base64.h"
+#include "core/output/text/html.h"
+
+namespace nilas::view {
+
+namespace {
+
+/// Browsers handle several texts of this size better than one of ten times the size. A multiple of 3 keeps each whole.
+constexpr std::size_t k_block_bytes = 6 << 20;
+static_assert(k_block_bytes % 3 == 0);
+
+void replace(std::string& page, std::string_view name, const std::string& text) {
+  const auto at = page.find(name);
+  NILAS_DEMAND(at != std::string::npos);
+  page.replace(at, name.size(), text);
+}
+
+/// JSON within a page must not hold "</script>".
+std::string for_script(const nlohmann::ordered_json& json) {
+  std::string text = json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+  for (auto at = text.find('<'); at != std::string::npos; at = text.find('<', at)) text.replace(at, 1, "\\u003c");
+  return text;
+}
+
+std::string filled(const std::string& title, const nlohmann::ordered_json& facts, const std::string& blocks) {
+  demand_page();
+  std::string page(page_file("page.html"));
+  // Blocks first: a title may hold the name of another place.
+  replace(page, "@NILAS_BLOCKS@", blocks);
+  replace(page, "@NILAS_FACTS@", for_script(facts));
+  replace(page, "@NILAS_TITLE@", output::html_text(title));
+  return page;
+}
+
+}  // namespace
+
+void demand_page() {
+  if (page_file("page.html").empty())
+    throw InputError(
+        "this program was built without the page of the viewer, since npm or its packages were not there. Install npm, "
+        "remove the build folder and build again. ParaView opens trajectory.pvd of the run folder");
+}
+
+std::string live_page(const std::string& title, const std::string& token) {
+  return filled(title, {{"title", title}, {"live", true}, {"token", token}}, "");
+}
+
+std::string replay_page(const std::string& title, std::string_view bytes) {
+  std::string blocks;
+  for (std::size_t at = 0, k = 0; at < bytes.size(); at += k_block_bytes, ++k) {
+    blocks += "<script type=\"application/octet-stream\" id=\"replay-" + std::to_string(k) + "\">";
+    output::add_base64(std::as_bytes(std::span(bytes.substr(at, k_block_bytes))), blocks);
+    blocks += "</script>\n";
+  }
+  return filled(title, {{"title", title}, {"live", false}}, blocks);
+}
+
+}  // namespace nilas::view

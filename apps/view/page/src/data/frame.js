@@ -1,0 +1,247 @@
+import { ByteReader } from './bytes.js';
+
+export const BodyKind = { floe: 0, vessel: 1, rigid: 2, wall: 3, part: 4 };
+export const ContactStatus = { open: 0, stick: 1, slip: 2, crush: 3 };
+const KEY_FLAG = 1, EXACT_FLAG = 128, STORED_FLAG = 64;
+const TURN_UNIT = 1 / 32768, NORMAL_UNIT = 1 / 127, POINT_UNITS = 4;
+
+/**
+ * What stays the same of the bodies while none comes or goes, so frames share it.
+ * @typedef {object} BodyList
+ * @property {Float64Array} id
+ * @property {Uint8Array} kind one of BodyKind
+ * @property {Int32Array} shape number of the shape, -1 for a plane
+ * @property {Uint8Array} fixed
+ * @property {Float32Array} thickness [m]
+ * @property {Float32Array} mass [kg]
+ * @property {Map<number, string>} names by id, of those that have one
+ */
+
+/**
+ * The state at the end of a step. Positions are in units of `quantum`, turns (w, x, y, z) in units of 2^-15.
+ * @typedef {object} Frame
+ * @property {boolean} isKey
+ * @property {number} time [s]
+ * @property {number} step
+ * @property {number} stepLength [s]
+ * @property {number} quantum [m]
+ * @property {BodyList} bodies
+ * @property {Float64Array} place x of all bodies, then y, then z
+ * @property {Int32Array} turn w of all bodies, then x, y, z
+ * @property {Float64Array} placeBefore as `place`, of the frame before; valid where `age` > 0
+ * @property {Int32Array} turnBefore
+ * @property {Uint8Array} age frames since the body came, at most 1
+ * @property {Int32Array} speedCode
+ * @property {Int32Array} island
+ * @property {Uint8Array|null} damage in units of 1/255
+ * @property {{contacts: number, iterations: number, residual: number}[]} islands
+ * @property {Contacts} contacts
+ * @property {Float32Array} channels value, smallest and largest of each channel
+ * @property {Line[]} lines
+ */
+
+/**
+ * @typedef {object} Contacts
+ * @property {number} count
+ * @property {Uint8Array} status one of ContactStatus
+ * @property {Uint8Array} exact whether the force is stored exactly
+ * @property {Uint8Array} stored whether contacts.h5 has the contact
+ * @property {Uint32Array} first the place of the first body in the list
+ * @property {Uint32Array} second
+ * @property {Float64Array} point x, y, z of each contact [m]
+ * @property {Float32Array} normal x, y, z of each, into the first body
+ * @property {Float32Array} force x, y, z of each, on the first body [N]
+ */
+
+/** @typedef {{kind: number, name: string, force: number, points: Float32Array}} Line */
+
+/** What the index needs of a frame, without its bodies. @returns {{time: number, isKey: boolean, channels: Float32Array}} */
+export function decodeFrameHead(content, numChannels) {
+  const reader = new ByteReader(content);
+  const channels = reader.float32Array(3 * numChannels);
+  const isKey = (reader.byte() & KEY_FLAG) !== 0;
+  return { channels, isKey, time: reader.float64() };
+}
+
+/**
+ * Decodes a frame.
+ * @param {Uint8Array} content
+ * @param {{channels: unknown[], damage: boolean}} head
+ * @param {Frame|null} before the frame before it; a key frame needs none
+ * @returns {Frame}
+ */
+export function decodeFrame(content, head, before) {
+  const reader = new ByteReader(content);
+  const channels = reader.float32Array(3 * head.channels.length);
+  const isKey = (reader.byte() & KEY_FLAG) !== 0;
+  if (!isKey && !before) throw new Error('A frame that is no key frame was decoded without the frame before it.');
+  const time = reader.float64(), step = reader.varint(), stepLength = reader.float64(), quantum = reader.float64();
+  const { bodies, origin } = decodeBodyList(reader, isKey ? null : before);
+  const motion = decodeMotion(reader, origin, isKey ? null : before);
+  const marks = decodeMarks(reader, origin, isKey ? null : before, head.damage);
+  const islands = decodeIslands(reader);
+  const contacts = decodeContacts(reader, motion.place, bodies.id.length, quantum);
+  return { isKey, time, step, stepLength, quantum, bodies, ...motion, ...marks, islands, contacts, channels,
+           lines: decodeLines(reader) };
+}
+
+/**
+ * The list of bodies, and for each its place in the list of the frame before, -1 for one that came. `origin` is null
+ * where the list is unchanged.
+ */
+function decodeBodyList(reader, before) {
+  const old = before ? before.bodies : null, oldCount = old ? old.id.length : 0;
+  const gone = new Uint8Array(oldCount);
+  const numGone = reader.varint();
+  for (let i = 0, at = -1; i < numGone; ++i) {
+    at += reader.varint();
+    if (at >= oldCount) throw new RangeError('A frame removes a body that is not there.');
+    gone[at] = 1;
+  }
+  const numCame = reader.varint();
+  if (old && numGone === 0 && numCame === 0) return { bodies: old, origin: null };
+  const count = oldCount - numGone + numCame;
+  const bodies = {
+    id: new Float64Array(count), kind: new Uint8Array(count), shape: new Int32Array(count), fixed: new Uint8Array(count),
+    thickness: new Float32Array(count), mass: new Float32Array(count), names: new Map(old ? old.names : []),
+  };
+  const origin = new Int32Array(count).fill(-1);
+  let at = 0;
+  for (let k = 0; k < oldCount; ++k) {
+    if (gone[k]) {
+      bodies.names.delete(old.id[k]);
+      continue;
+    }
+    origin[at] = k;
+    for (const key of ['id', 'kind', 'shape', 'fixed', 'thickness', 'mass']) bodies[key][at] = old[key][k];
+    ++at;
+  }
+  for (let id = 0; at < count; ++at) {
+    id += reader.signed();
+    bodies.id[at] = id;
+    bodies.kind[at] = reader.byte();
+    bodies.shape[at] = reader.varint() - 1;
+    bodies.fixed[at] = reader.byte();
+    bodies.thickness[at] = reader.float32();
+    bodies.mass[at] = reader.float32();
+    const name = reader.text();
+    if (name) bodies.names.set(id, name);
+  }
+  return { bodies, origin };
+}
+
+/** `values` of the frame before, in the order of the new list; 0 for a body that came. */
+function reordered(values, origin, oldCount, numArrays) {
+  if (!origin) return values;
+  const count = origin.length;
+  const result = new values.constructor(numArrays * count);
+  for (let k = 0; k < numArrays; ++k) {
+    for (let b = 0; b < count; ++b) if (origin[b] >= 0) result[k * count + b] = values[k * oldCount + origin[b]];
+  }
+  return result;
+}
+
+/** Positions and turns: predicted by 2 a - b from the two frames before. */
+function decodeMotion(reader, origin, before) {
+  const oldCount = before ? before.bodies.id.length : 0;
+  const count = origin ? origin.length : oldCount;
+  const one = (values, arrays, Type) => before ? reordered(values, origin, oldCount, arrays) : new Type(arrays * count);
+  const placeBefore = one(before?.place, 3, Float64Array), turnBefore = one(before?.turn, 4, Int32Array);
+  const placeTwo = one(before?.placeBefore, 3, Float64Array), turnTwo = one(before?.turnBefore, 4, Int32Array);
+  const ageBefore = one(before?.age, 1, Uint8Array);
+  const age = new Uint8Array(count);
+  for (let b = 0; b < count; ++b) age[b] = before && (!origin || origin[b] >= 0) ? 1 : 0;
+  const predict = (now, two, Type, arrays) => {
+    const values = new Type(arrays * count);
+    for (let k = 0, i = 0; k < arrays; ++k) {
+      for (let b = 0; b < count; ++b, ++i) {
+        // `now` is 0 for a body that came.
+        values[i] = reader.signed() + (ageBefore[b] && age[b] ? 2 * now[i] - two[i] : now[i]);
+      }
+    }
+    return values;
+  };
+  const place = predict(placeBefore, placeTwo, Float64Array, 3), turn = predict(turnBefore, turnTwo, Int32Array, 4);
+  return { place, turn, placeBefore, turnBefore, age };
+}
+
+/** Speed, island and damage: predicted by the frame before. */
+function decodeMarks(reader, origin, before, hasDamage) {
+  const oldCount = before ? before.bodies.id.length : 0;
+  const count = origin ? origin.length : oldCount;
+  const decode = (old, Type) => {
+    const last = before ? reordered(old, origin, oldCount, 1) : null;
+    const values = new Type(count);
+    for (let b = 0; b < count; ++b) values[b] = reader.signed() + (last ? last[b] : 0);
+    return values;
+  };
+  return {
+    speedCode: decode(before?.speedCode, Int32Array),
+    island: decode(before?.island, Int32Array),
+    damage: hasDamage ? decode(before?.damage, Uint8Array) : null,
+  };
+}
+
+function decodeIslands(reader) {
+  const islands = new Array(reader.varint());
+  for (let i = 0; i < islands.length; ++i) {
+    islands[i] = { contacts: reader.varint(), iterations: reader.varint(), residual: reader.float32() };
+  }
+  return islands;
+}
+
+/** @returns {Contacts} */
+function decodeContacts(reader, place, numBodies, quantum) {
+  const count = reader.varint(), unit = reader.float32();
+  const flags = reader.span(count);
+  const status = flags.map((flag) => flag & 63);
+  const exact = flags.map((flag) => flag & EXACT_FLAG ? 1 : 0), stored = flags.map((flag) => flag & STORED_FLAG ? 1 : 0);
+  const first = new Uint32Array(count);
+  for (let i = 0, at = 0; i < count; ++i) first[i] = at += reader.signed();
+  const second = reader.varintArray(count);
+  const point = new Float64Array(3 * count), normal = new Float32Array(3 * count), force = new Float32Array(3 * count);
+  for (let k = 0; k < 3; ++k) {
+    for (let i = 0; i < count; ++i) {
+      if (first[i] >= numBodies) throw new RangeError('A contact names a body that is not there.');
+      point[3 * i + k] = (place[k * numBodies + first[i]] + POINT_UNITS * reader.signed()) * quantum;
+    }
+  }
+  const codes = reader.span(3 * count);
+  for (let k = 0; k < 3; ++k) {
+    for (let i = 0; i < count; ++i) normal[3 * i + k] = ((codes[k * count + i] << 24) >> 24) * NORMAL_UNIT;
+  }
+  for (let i = 0; i < 3 * count; ++i) force[i] = exact[(i / 3) | 0] ? reader.float32() : reader.signed() * unit;
+  return { count, status, exact, stored, first, second, point, normal, force };
+}
+
+/** @returns {Line[]} */
+function decodeLines(reader) {
+  const lines = new Array(reader.varint());
+  for (let i = 0; i < lines.length; ++i) {
+    lines[i] = { kind: reader.byte(), name: reader.text(), force: reader.float32(),
+                 points: reader.float32Array(3 * reader.varint()) };
+  }
+  return lines;
+}
+
+/** Position [m] and unit quaternion (x, y, z, w) of a body, into `pose` from `at` on. */
+export function readPose(frame, b, pose, at = 0) {
+  const n = frame.bodies.id.length;
+  for (let k = 0; k < 3; ++k) pose[at + k] = frame.place[k * n + b] * frame.quantum;
+  const w = frame.turn[b] * TURN_UNIT, x = frame.turn[n + b] * TURN_UNIT;
+  const y = frame.turn[2 * n + b] * TURN_UNIT, z = frame.turn[3 * n + b] * TURN_UNIT;
+  const scale = 1 / (Math.hypot(w, x, y, z) || 1);
+  pose[at + 3] = x * scale;
+  pose[at + 4] = y * scale;
+  pose[at + 5] = z * scale;
+  pose[at + 6] = w * scale;
+}
+
+/** The speed of a body [m/s]. */
+export function speedOf(frame, b) {
+  const code = frame.speedCode[b];
+  return code === 0 ? 0 : 10 ** ((code - 1) / 28 - 6);
+}
+
+/** The bytes that a frame holds in memory, about. */
+export function bytesOf(frame) { return 120 * frame.bodies.id.length + 60 * frame.contacts.count + 4 * frame.channels.length + 2000; }

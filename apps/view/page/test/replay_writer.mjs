@@ -1,0 +1,217 @@
+import { deflateSync } from 'node:zlib';
+
+const TURN_UNIT = 1 / 32768;
+
+/** Appends numbers to a growing buffer, as docs/reference/replay-file.md says. */
+class Bytes {
+  #buffer = Buffer.alloc(1 << 16);
+  #size = 0;
+
+  #room(count) {
+    if (this.#size + count <= this.#buffer.length) return;
+    const grown = Buffer.alloc(2 * (this.#size + count));
+    this.#buffer.copy(grown);
+    this.#buffer = grown;
+  }
+
+  byte(x) {
+    this.#room(1);
+    this.#size = this.#buffer.writeUInt8(x & 255, this.#size);
+  }
+
+  float32(x) {
+    this.#room(4);
+    this.#size = this.#buffer.writeFloatLE(x, this.#size);
+  }
+
+  float64(x) {
+    this.#room(8);
+    this.#size = this.#buffer.writeDoubleLE(x, this.#size);
+  }
+
+  varint(x) {
+    this.#room(8);
+    for (; x >= 128; x = Math.floor(x / 128)) this.#buffer[this.#size++] = (x % 128) | 128;
+    this.#buffer[this.#size++] = x;
+  }
+
+  signed(x) { this.varint(x >= 0 ? 2 * x : -2 * x - 1); }
+
+  text(text) {
+    const bytes = Buffer.from(text);
+    this.varint(bytes.length);
+    this.#room(bytes.length);
+    bytes.copy(this.#buffer, this.#size);
+    this.#size += bytes.length;
+  }
+
+  done() { return this.#buffer.subarray(0, this.#size); }
+}
+
+/** A piece of a replay. @param {string} kind @param {Uint8Array|object} content bytes, or an object written as JSON */
+export function piece(kind, content) {
+  const packed = deflateSync(content instanceof Uint8Array ? content : Buffer.from(JSON.stringify(content)));
+  const head = Buffer.alloc(5);
+  head.write(kind, 'latin1');
+  head.writeUInt32LE(packed.length, 1);
+  return Buffer.concat([head, packed, Buffer.from([10])]);
+}
+
+/**
+ * Writes a replay piece by piece. It knows nothing of the page, so that both can be tested against each other.
+ *
+ * A body of a frame is {id, kind, shape (null for a plane), fixed, thickness, mass, name, p, q (w x y z), speed, island,
+ * damage}; a contact {status, exact, stored, first, second, p, n, force} with places in the list of bodies.
+ */
+export class ReplayWriter {
+  parts = [Buffer.from('NILASRP1')];
+  #bodies = [];
+  #sinceKey = Infinity;
+  #quantum = 0;
+
+  constructor({ keyEvery = 64 } = {}) { this.keyEvery = keyEvery; }
+
+  /** The next frame is a key frame. */
+  breakOff() { this.#sinceKey = Infinity; }
+
+  head(head) {
+    this.numChannels = head.channels.length;
+    this.hasDamage = head.damage;
+    this.add('H', head);
+  }
+
+  add(kind, content) {
+    const made = piece(kind, content);
+    this.parts.push(made);
+    return made;
+  }
+
+  /** @param {{number: number, type: number, parent: number, points: number[][], polygons: number[][]}[]} shapes */
+  shapes(shapes) {
+    const out = new Bytes();
+    for (const { number, type, parent, points, polygons } of shapes) {
+      out.varint(number);
+      out.byte(type);
+      out.varint(parent);
+      out.varint(points.length);
+      for (const x of points.flat()) out.float32(x);
+      out.varint(polygons.length);
+      for (const polygon of polygons) out.varint(polygon.length);
+      for (const corner of polygons.flat()) out.varint(corner);
+    }
+    this.add('S', out.done());
+  }
+
+  frame({ time, step, stepLength, quantum, bodies, islands = [], contacts = [], channels = [], lines = [] }) {
+    const out = new Bytes(), isKey = this.#sinceKey >= this.keyEvery || quantum !== this.#quantum;
+    if (isKey) {
+      this.#bodies = [];
+      this.#sinceKey = 0;
+    }
+    ++this.#sinceKey;
+    this.#quantum = quantum;
+    for (const x of channels.flat()) out.float32(x);
+    out.byte(isKey ? 1 : 0);
+    out.float64(time);
+    out.varint(step);
+    out.float64(stepLength);
+    out.float64(quantum);
+    this.#writeList(out, bodies);
+    this.#writeMotion(out, bodies);
+    this.#writeMarks(out, bodies);
+    out.varint(islands.length);
+    for (const island of islands) {
+      out.varint(island.contacts);
+      out.varint(island.iterations);
+      out.float32(island.residual);
+    }
+    this.#writeContacts(out, contacts);
+    writeLines(out, lines);
+    return this.add('F', out.done());
+  }
+
+  /** Bodies must keep their order, with those that came at the end. */
+  #writeList(out, bodies) {
+    const ids = new Set(bodies.map(({ id }) => id)), gone = [];
+    this.#bodies.forEach(({ id }, k) => { if (!ids.has(id)) gone.push(k); });
+    out.varint(gone.length);
+    gone.forEach((k, i) => out.varint(k - (i > 0 ? gone[i - 1] : -1)));
+    this.#bodies = this.#bodies.filter(({ id }) => ids.has(id));
+    const came = bodies.slice(this.#bodies.length);
+    out.varint(came.length);
+    let last = 0;
+    for (const body of came) {
+      out.signed(body.id - last);
+      last = body.id;
+      out.byte(body.kind);
+      out.varint(body.shape === null ? 0 : body.shape + 1);
+      out.byte(body.fixed ? 1 : 0);
+      out.float32(body.thickness ?? 0);
+      out.float32(body.mass);
+      out.text(body.name ?? '');
+      this.#bodies.push({ id: body.id, past: 0, now: new Array(7).fill(0), before: new Array(7).fill(0), speed: 0, island: 0, damage: 0 });
+    }
+  }
+
+  #writeMotion(out, bodies) {
+    const arrays = Array.from({ length: 7 }, () => []);
+    this.#bodies.forEach((stored, b) => {
+      const { p, q } = bodies[b];
+      let along = 0;
+      for (let k = 0; k < 4; ++k) along += q[k] * (stored.past > 0 ? stored.now[3 + k] : k === 0 ? 1 : 0);
+      const sign = along < 0 ? -1 : 1;
+      const values = [...p.map((x) => Math.round(x / this.#quantum)), ...q.map((x) => Math.round(sign * x / TURN_UNIT))];
+      values.forEach((value, k) => {
+        const predicted = stored.past === 0 ? 0 : stored.past === 1 ? stored.now[k] : 2 * stored.now[k] - stored.before[k];
+        arrays[k].push(value - predicted);
+        stored.before[k] = stored.now[k];
+        stored.now[k] = value;
+      });
+      stored.past = Math.min(stored.past + 1, 2);
+    });
+    for (const x of arrays.flat()) out.signed(x);
+  }
+
+  #writeMarks(out, bodies) {
+    const write = (key, value) => this.#bodies.forEach((stored, b) => {
+      out.signed(value(bodies[b]) - stored[key]);
+      stored[key] = value(bodies[b]);
+    });
+    write('speed', ({ speed }) => speed < 1e-6 ? 0 : 1 + Math.round(28 * (Math.log10(speed) + 6)));
+    write('island', ({ island }) => island ?? 0);
+    if (this.hasDamage) write('damage', ({ damage }) => Math.round(255 * (damage ?? 0)));
+  }
+
+  #writeContacts(out, contacts) {
+    let largest = 0;
+    for (const { exact, force } of contacts) if (!exact) largest = Math.max(largest, ...force.map(Math.abs));
+    const unit = Math.fround(largest > 0 ? largest / 2000 : 1);
+    out.varint(contacts.length);
+    out.float32(unit);
+    for (const { status, exact, stored } of contacts) out.byte(status + (exact ? 128 : 0) + (stored ? 64 : 0));
+    let last = 0;
+    for (const { first } of contacts) {
+      out.signed(first - last);
+      last = first;
+    }
+    for (const { second } of contacts) out.varint(second);
+    for (let k = 0; k < 3; ++k) {
+      for (const { p, first } of contacts) out.signed(Math.round((Math.round(p[k] / this.#quantum) - this.#bodies[first].now[k]) / 4));
+    }
+    for (let k = 0; k < 3; ++k) for (const { n } of contacts) out.byte(Math.round(127 * n[k]));
+    for (const { exact, force } of contacts) for (const f of force) exact ? out.float32(f) : out.signed(Math.round(f / unit));
+  }
+
+  bytes() { return Buffer.concat(this.parts); }
+}
+
+function writeLines(out, lines) {
+  out.varint(lines.length);
+  for (const { kind, name, force, points } of lines) {
+    out.byte(kind);
+    out.text(name);
+    out.float32(force);
+    out.varint(points.length);
+    for (const x of points.flat()) out.float32(x);
+  }
+}

@@ -1,0 +1,153 @@
+#include "core/output/replay/frame.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/base/error.h"
+#include "core/output/replay/byte_text.h"
+
+namespace nilas::output::replay {
+
+namespace {
+
+// With the rounding of quaternions below, no point of a floe is farther than 1e-4 of its diameter from its place:
+// half a quantum along each axis is 0.69e-4, half a unit of each component of a quaternion is 0.27e-4.
+constexpr double k_quantum_share = 0.8e-4, k_least_quantum = 1e-6, k_turn_quantum = 1.0 / 32768;
+constexpr int k_key_flag = 1;
+
+/// The code of a speed [m/s]: 0 below 1e-6, then 28 steps a decade.
+std::int64_t speed_code(double speed) {
+  constexpr double k_least = 1e-6, k_steps = 28;
+  return speed < k_least ? 0 : 1 + std::llround(k_steps * (std::log10(speed) + 6));
+}
+
+int kind_code(bodies::BodyKind kind, bool is_part) {
+  switch (kind) {
+    case bodies::BodyKind::floe:
+      return 0;
+    case bodies::BodyKind::vessel:
+      return is_part ? 4 : 1;
+    case bodies::BodyKind::rigid:
+      return 2;
+    case bodies::BodyKind::wall:
+      return 3;
+  }
+  return 2;
+}
+
+std::array<double, 4> numbers_of_turn(const Quat& q) { return {q.w(), q.x(), q.y(), q.z()}; }
+
+}  // namespace
+
+/// Takes a smaller quantum where a floe is smaller than all before. Returns whether it did.
+bool BodyFrames::refine(const bodies::Bodies& bodies) {
+  double smallest = std::numeric_limits<double>::infinity(), any = smallest;
+  for (std::size_t b = 0; b < bodies.id.size(); ++b) {
+    const double diameter = 2 * bodies.shape[b]->bounding_radius;
+    any = std::min(any, diameter);
+    if (bodies.kind[b] == bodies::BodyKind::floe) smallest = std::min(smallest, diameter);
+  }
+  if (std::isinf(smallest)) smallest = std::isinf(any) ? 1 : any;
+  const double quantum = std::max(k_least_quantum, k_quantum_share * smallest);
+  if (quantum_ > 0 && quantum >= quantum_) return false;
+  quantum_ = quantum;
+  return true;
+}
+
+void BodyFrames::add(const bodies::Bodies& bodies, double t, long step, double h, const BodyMarks& marks,
+                     std::string& content, std::string& shapes) {
+  const bool finer = refine(bodies), is_key = finer || since_key_ >= k_key_every;
+  if (is_key) {
+    now_.clear();
+    since_key_ = 0;
+    shapes_.forget_unused();
+  }
+  ++since_key_;
+  add_byte(is_key ? k_key_flag : 0, content);
+  add_number(t, content);
+  add_varint(static_cast<std::uint64_t>(step), content);
+  add_number(h, content);
+  add_number(quantum_, content);
+  add_list(bodies, marks, content, shapes);
+  add_motion(bodies, content);
+  add_marks(bodies, marks, content);
+}
+
+/// Bodies keep their order, and those that come stand at the end, so a pass through both lists finds what changed.
+void BodyFrames::add_list(const bodies::Bodies& bodies, const BodyMarks& marks, std::string& content,
+                          std::string& shapes) {
+  std::vector<std::uint64_t> gone;
+  std::size_t b = 0;
+  std::ptrdiff_t last = -1;
+  for (std::size_t k = 0; k < now_.size(); ++k) {
+    if (b < bodies.id.size() && bodies.id[b] == now_[k].id) {
+      ++b;
+      continue;
+    }
+    gone.push_back(static_cast<std::uint64_t>(static_cast<std::ptrdiff_t>(k) -
+                                              std::exchange(last, static_cast<std::ptrdiff_t>(k))));
+    now_[k].id = 0;
+  }
+  std::erase_if(now_, [](const Stored& body) { return body.id == 0; });
+  add_varint(gone.size(), content);
+  for (const std::uint64_t step : gone) add_varint(step, content);
+  add_varint(bodies.id.size() - now_.size(), content);
+  std::int64_t last_id = 0;
+  for (; b < bodies.id.size(); ++b)
+    add_body(bodies, b, !marks.is_part.empty() && marks.is_part[b] != 0, last_id, content, shapes);
+}
+
+void BodyFrames::add_body(const bodies::Bodies& bodies, std::size_t b, bool is_part, std::int64_t& last_id,
+                          std::string& content, std::string& shapes) {
+  const geometry::Shape& shape = *bodies.shape[b];
+  const bool is_floe = bodies.kind[b] == bodies::BodyKind::floe;
+  add_signed(bodies.id[b] - std::exchange(last_id, bodies.id[b]), content);
+  add_byte(kind_code(bodies.kind[b], is_part), content);
+  add_varint(shapes_.number_of(bodies.shape[b], is_floe, shapes), content);
+  add_byte(bodies.motion[b] == bodies::Motion::fixed ? 1 : 0, content);
+  add_float(shape.kind == geometry::ShapeKind::prism ? shape.thickness : 0, content);
+  add_float(bodies.mass[b], content);
+  add_text(is_floe ? std::string_view() : std::string_view(bodies.name[b]), content);
+  Stored stored;
+  stored.id = bodies.id[b];
+  now_.push_back(stored);
+}
+
+void BodyFrames::add_motion(const bodies::Bodies& bodies, std::string& content) {
+  NILAS_DEMAND(now_.size() == bodies.id.size());
+  std::array<std::string, 7> arrays;
+  for (std::size_t b = 0; b < now_.size(); ++b) {
+    Stored& body = now_[b];
+    std::array<double, 4> turn = numbers_of_turn(bodies.q_GB[b]);
+    double along = body.past > 0 ? 0 : turn[0];
+    for (std::size_t k = 0; k < 4 && body.past > 0; ++k) along += turn[k] * static_cast<double>(body.turn[k]);
+    const double sign = along < 0 ? -1 : 1;
+    for (std::size_t k = 0; k < 7; ++k) {
+      std::int64_t& stored = k < 3 ? body.position[k] : body.turn[k - 3];
+      const std::int64_t value = k < 3 ? in_units(bodies.p_GB[b][static_cast<Eigen::Index>(k)], quantum_)
+                                       : in_units(sign * turn[k - 3], k_turn_quantum);
+      const std::int64_t predicted = body.past == 0 ? 0 : body.past == 1 ? stored : 2 * stored - body.before[k];
+      add_signed(value - predicted, arrays[k]);
+      body.before[k] = stored;
+      stored = value;
+    }
+    body.past = std::min(body.past + 1, 2);
+  }
+  for (const auto& array : arrays) content += array;
+}
+
+void BodyFrames::add_marks(const bodies::Bodies& bodies, const BodyMarks& marks, std::string& content) {
+  for (std::size_t b = 0; b < now_.size(); ++b) {
+    const std::int64_t code = speed_code(bodies.v_GB[b].norm());
+    add_signed(code - std::exchange(now_[b].speed, code), content);
+  }
+  for (std::size_t b = 0; b < now_.size(); ++b) {
+    const std::int64_t island = marks.island.empty() ? 0 : marks.island[b];
+    add_signed(island - std::exchange(now_[b].island, island), content);
+  }
+  for (std::size_t b = 0; b < marks.damage.size(); ++b)
+    add_signed(marks.damage[b] - std::exchange(now_[b].damage, marks.damage[b]), content);
+}
+
+}  // namespace nilas::output::replay

@@ -1,0 +1,14 @@
+#pragma once
+/// The head of a replay: what a viewer must know of the scene before the first frame.
+#include <string>
+
+#include "core/output/replay/channels.h"
+#include "core/scene/scene.h"
+
+namespace nilas::output::replay {
+
+/// The head as JSON. Keys: docs/reference/replay-file.md.
+std::string head_text(const scene::Scene& scene, const sim::RunInfo& info, const Channels& channels,
+                      bool has_contact_table);
+
+}  // namespace nilas::output::replay

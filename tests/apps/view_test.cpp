@@ -1,0 +1,212 @@
+/// `nilas view` and the live view of `nilas run --view`.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <regex>
+#include <thread>
+
+#include "apps/view/http.h"
+#include "core/hdf5/hdf5_file.h"
+#include "core/output/file/base64.h"
+#include "tests/apps/small_scenes.h"
+#include "tests/core/output/replay/replay_reader.h"
+#include "tests/support/mentions.h"
+#include "tests/support/started_program.h"
+
+namespace view_test {
+
+using namespace nilas_test;
+using nilas::test::mentions;
+using nilas::test::Replay;
+
+class View : public ::testing::Test {
+ protected:
+  View() {
+    folder.write("ship.xml", k_ship);
+    std::string endless = k_ship;
+    endless.replace(endless.find("end=\"1\""), 7, "end=\"900\"");
+    folder.write("endless.xml", endless);
+  }
+  ProgramResult nilas(const std::string& arguments) const { return run_nilas(arguments, folder.path()); }
+  void run_ship() const { ASSERT_EQ(nilas("run ship.xml --quiet --out run").exit_code, 0); }
+  fs::path in(const std::string& file) const { return folder.path() / file; }
+  void expect_refusal(const std::string& arguments, int exit_code, const std::string& words) const {
+    const auto result = nilas(arguments);
+    EXPECT_EQ(result.exit_code, exit_code) << result.err;
+    EXPECT_TRUE(mentions(result.err, words)) << result.err;
+  }
+
+  ScratchFolder folder;
+};
+
+/// The replay within a page.
+std::string embedded(const std::string& page) {
+  std::string bytes;
+  const std::regex block("<script type=\"application/octet-stream\" id=\"replay-[0-9]+\">");
+  for (std::sregex_iterator at(page.begin(), page.end(), block), end; at != end; ++at) {
+    const auto begin = static_cast<std::size_t>(at->position() + at->length());
+    bytes += nilas::output::from_base64(std::string_view(page).substr(begin, page.find('<', begin) - begin));
+  }
+  return bytes;
+}
+
+TEST_F(View, ThePageHoldsTheRunAndNeedsNothingElse) {
+  run_ship();
+  const auto result = nilas("view run");
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_TRUE(mentions(result.out, "11 frames")) << result.out;
+  const std::string page = read_text(in("run/replay.html")), bytes = read_text(in("run/replay.bin"));
+  EXPECT_EQ(embedded(page).substr(0, bytes.size()), bytes);
+  EXPECT_EQ(page.find("@NILAS"), std::string::npos) << "a place that was not filled";
+  EXPECT_FALSE(std::regex_search(page, std::regex("(src|href)=\"?(https?:)?//"))) << "names another machine";
+  const Replay replay(bytes);
+  ASSERT_EQ(replay.frames.size(), 11u);
+  EXPECT_EQ(replay.frames.back().bodies.size(), 3u);
+  EXPECT_EQ(replay.end, "The run reached its end.");
+}
+
+/// Each frame shows the contacts that contacts.h5 has of its step, with their forces.
+TEST_F(View, ContactsOfAFrameAreThoseOfTheTable) {
+  ASSERT_EQ(nilas("run ship.xml --quiet --out run --set output/@trajectory_every=0.02").exit_code, 0);
+  const Replay replay(read_text(in("run/replay.bin")));
+  const nilas::hdf5::Hdf5Reader table(in("run/contacts.h5"));
+  const auto times = table.exact_numbers("contacts/time_s");
+  const auto force = table.exact_numbers("contacts/fx_N");
+  std::size_t shown = 0;
+  for (const auto& frame : replay.frames) {
+    std::vector<float> stored, drawn;
+    for (std::size_t k = 0; k < times.size(); ++k)
+      if (std::abs(times[k] - frame.t) < 1e-9) stored.push_back(static_cast<float>(force[k]));
+    for (const auto& contact : frame.contacts)
+      if ((contact.status & 64) != 0) drawn.push_back(static_cast<float>(contact.force.x()));
+    EXPECT_EQ(drawn, stored) << "at " << frame.t;
+    shown += drawn.size();
+  }
+  EXPECT_GT(shown, 10u);
+}
+
+TEST_F(View, WhatIsNoReplayIsRefused) {
+  expect_refusal("view nothing", 4, "no such run folder");
+  fs::create_directories(in("empty"));
+  expect_refusal("view empty", 2, "is no run folder");
+  ASSERT_EQ(nilas("run ship.xml --quiet --out bare --until 0.1 --set output/@trajectory_every=0").exit_code, 0);
+  expect_refusal("view bare", 2, "trajectory_every");
+  run_ship();
+  const std::string bytes = read_text(in("run/replay.bin"));
+  folder.write("run/replay.bin", "NILASRP9" + bytes.substr(8));
+  expect_refusal("view run", 2, "another version");
+  folder.write("run/replay.bin", bytes.substr(0, 20));
+  expect_refusal("view run", 2, "no frame");
+  folder.write("run/replay.bin", bytes.substr(0, bytes.size() - 80));
+  const auto result = nilas("view run --out cut.html");
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_TRUE(mentions(result.out, "incomplete")) << result.out;
+}
+
+/// A run with a live view, and its address.
+class LiveRun {
+ public:
+  explicit LiveRun(const fs::path& folder, const std::string& flags = "")
+      : folder_(folder), run_("run endless.xml --quiet --view --out live " + flags, folder) {
+    const std::regex pattern("live view: http://127\\.0\\.0\\.1:([0-9]+)/\\?token=([0-9a-f]{32})\n");
+    std::smatch found;
+    std::string err;
+    while (run_.runs() && !std::regex_search(err, found, pattern)) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+      err = read_text(folder / "err.txt");
+    }
+    if (found.empty()) throw std::runtime_error("no address: " + err);
+    port = std::stoi(found[1]);
+    token = "?token=" + found[2].str();
+  }
+  httplib::Client client() const {
+    httplib::Client client("127.0.0.1", port);
+    client.set_read_timeout(60);
+    return client;
+  }
+  /// Reads the stream until it has so many bytes.
+  std::string first_bytes(std::size_t count) const {
+    std::string bytes;
+    client().Get("/events" + token, [&](const char* data, std::size_t size) {
+      bytes.append(data, size);
+      return bytes.size() < count;
+    });
+    return bytes;
+  }
+  int control(const std::string& json) const {
+    const auto answer = client().Post("/control" + token, json, "application/json");
+    return answer ? answer->status : -1;
+  }
+  std::size_t steps() const { return lines_of(folder_ / "live/steps.csv").size(); }
+  int stop() { return run_.stop(SIGINT); }
+  bool reaches(std::size_t lines) { return run_.reaches(folder_ / "live/steps.csv", lines); }
+
+  int port = 0;
+  std::string token;
+
+ private:
+  fs::path folder_;
+  Started run_;
+};
+
+TEST_F(View, ThePageOfALiveRunNeedsTheToken) {
+  LiveRun run(folder.path());
+  auto client = run.client();
+  const auto page = client.Get("/" + run.token);
+  ASSERT_TRUE(page);
+  EXPECT_EQ(page->status, 200);
+  EXPECT_NE(page->get_header_value("Content-Security-Policy").find("default-src 'none'"), std::string::npos);
+  EXPECT_NE(page->body.find("\"live\":true"), std::string::npos);
+  EXPECT_EQ(client.Get("/")->status, 403);
+  EXPECT_EQ(client.Get("/?token=" + std::string(32, '0'))->status, 403);
+  EXPECT_EQ(client.Get("/events")->status, 403);
+  EXPECT_EQ(client.Post("/control", "{\"action\":\"pause\"}", "application/json")->status, 403);
+  EXPECT_EQ(client.Get("/" + run.token, {{"Host", "elsewhere.example:80"}})->status, 403);
+  EXPECT_EQ(client.Get("/../../etc/passwd" + run.token)->status, 404);
+  EXPECT_EQ(run.stop(), 130);
+}
+
+TEST_F(View, TwoPagesReadTheRunAsItGoesOn) {
+  LiveRun run(folder.path());
+  EXPECT_EQ(run.first_bytes(8).substr(0, 8), "NILASRP1") << "also before the run has begun";
+  ASSERT_TRUE(run.reaches(60));
+  for (int page = 0; page < 2; ++page) {
+    const Replay replay(run.first_bytes(20000));
+    EXPECT_EQ(replay.head.at("scene"), "ship");
+    EXPECT_GT(replay.frames.size(), 2u);
+  }
+  const std::size_t before = run.steps();
+  EXPECT_TRUE(run.reaches(before + 20)) << "pages that close end nothing";
+  EXPECT_EQ(run.stop(), 130);
+}
+
+TEST_F(View, ARunPausesStepsAndGoesOnAsThePageAsks) {
+  LiveRun run(folder.path());
+  ASSERT_TRUE(run.reaches(20));
+  EXPECT_EQ(run.control("{\"action\":\"pause\"}"), 204);
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  const std::size_t paused = run.steps();
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  EXPECT_EQ(run.steps(), paused);
+  EXPECT_EQ(run.control("{\"action\":\"step\"}"), 204);
+  ASSERT_TRUE(run.reaches(paused + 1));
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  EXPECT_LE(run.steps(), paused + 10) << "one frame of ten steps at most";
+  EXPECT_EQ(run.control("{\"action\":\"jump\"}"), 400);
+  EXPECT_EQ(run.control("no json"), 400);
+  EXPECT_EQ(run.control("{\"action\":\"slow\",\"factor\":-1}"), 400);
+  EXPECT_EQ(run.control("{\"action\":\"resume\"}"), 204);
+  EXPECT_TRUE(run.reaches(paused + 30));
+  EXPECT_EQ(run.control("{\"action\":\"pause\"}"), 204);
+  EXPECT_EQ(run.stop(), 130) << "a paused run can be interrupted";
+}
+
+TEST_F(View, AUsedPortAndARunWithoutFramesAreRefused) {
+  LiveRun run(folder.path());
+  expect_refusal("run ship.xml --out other --view --view-port " + std::to_string(run.port), 4, "another port");
+  EXPECT_FALSE(fs::exists(in("other"))) << "a run that did not begin leaves nothing";
+  expect_refusal("run ship.xml --out other --view --set output/@trajectory_every=0", 2, "trajectory_every");
+  expect_refusal("run ship.xml --out other --view-port 80", 2, "--view");
+}
+
+}  // namespace view_test

@@ -1,0 +1,246 @@
+#pragma once
+/// Reads a replay as its page does: the format by docs/reference/replay-file.md, written apart from the program.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/math.h"
+#include "core/output/replay/piece.h"
+
+namespace nilas::test {
+
+/// Numbers from the content of a piece.
+class ByteReader {
+ public:
+  explicit ByteReader(std::string content) : content_(std::move(content)) {}
+  bool at_end() const { return at_ == content_.size(); }
+  template <class Number>
+  Number number() {
+    Number x{};
+    std::memcpy(&x, content_.data() + at_, sizeof x);
+    skip(sizeof x);
+    return x;
+  }
+  std::uint64_t varint() {
+    std::uint64_t x = 0;
+    for (int shift = 0;; shift += 7) {
+      const auto byte = number<unsigned char>();
+      x |= static_cast<std::uint64_t>(byte & 0x7f) << shift;
+      if (byte < 0x80) return x;
+    }
+  }
+  std::int64_t signed_varint() {
+    const std::uint64_t x = varint();
+    return static_cast<std::int64_t>(x >> 1) ^ -static_cast<std::int64_t>(x & 1);
+  }
+  std::string text() {
+    const auto size = varint();
+    const std::string out = content_.substr(at_, size);
+    skip(size);
+    return out;
+  }
+  Vec3 floats() {
+    Vec3 x;
+    for (int k = 0; k < 3; ++k) x[k] = static_cast<double>(number<float>());
+    return x;
+  }
+
+ private:
+  void skip(std::size_t bytes) {
+    if (at_ + bytes > content_.size()) throw std::runtime_error("a piece ends too early");
+    at_ += bytes;
+  }
+  std::string content_;
+  std::size_t at_ = 0;
+};
+
+struct ReplayShape {
+  int type = 0;
+  std::uint64_t owner = 0;
+  std::vector<Vec3> points;
+  std::vector<std::vector<std::uint64_t>> polygons;
+};
+struct ReplayBody {
+  std::int64_t id = 0;
+  int kind = 0;
+  std::uint64_t shape = 0;
+  bool fixed = false;
+  double thickness = 0, mass = 0;
+  std::string name;
+  int past = 0;
+  std::array<std::int64_t, 7> now{}, before{};
+  std::int64_t speed = 0, island = 0, damage = 0;
+  Vec3 p = Vec3::Zero();
+  Quat q = Quat::Identity();
+};
+struct ReplayContact {
+  int status = 0;
+  std::size_t first = 0, second = 0;
+  Vec3 p = Vec3::Zero(), n = Vec3::Zero(), force = Vec3::Zero();
+};
+struct ReplayIsland {
+  std::uint64_t contacts = 0, iterations = 0;
+  double residual = 0;
+};
+struct ReplayLine {
+  int kind = 0;
+  std::string name;
+  double force = 0;
+  std::vector<Vec3> points;
+};
+struct ReplayFrame {
+  bool key = false;
+  double t = 0, h = 0, quantum = 0;
+  std::uint64_t step = 0;
+  std::vector<ReplayBody> bodies;
+  std::vector<ReplayIsland> islands;
+  std::vector<ReplayContact> contacts;
+  std::vector<std::array<float, 3>> channels;
+  std::vector<ReplayLine> lines;
+};
+
+class Replay {
+ public:
+  explicit Replay(const std::string& bytes) {
+    const auto list = output::replay::pieces_of(bytes, "replay.bin");
+    cut = list.cut;
+    for (const auto& piece : list.pieces) {
+      ByteReader in(output::replay::unpacked(piece.packed));
+      if (piece.kind == 'H') head = nlohmann::json::parse(output::replay::unpacked(piece.packed));
+      while (piece.kind == 'S' && !in.at_end()) read_shape(in);
+      if (piece.kind == 'E') end = nlohmann::json::parse(output::replay::unpacked(piece.packed)).at("reason");
+      if (piece.kind == 'F') read_frame(in);
+      EXPECT_TRUE(piece.kind != 'F' || in.at_end());
+    }
+  }
+
+  nlohmann::json head;
+  std::map<std::uint64_t, ReplayShape> shapes;
+  std::vector<ReplayFrame> frames;
+  std::size_t cut = 0;
+  std::string end;  ///< how the run ended; empty: that is not known
+
+ private:
+  void read_shape(ByteReader& in) {
+    const auto number = in.varint();
+    EXPECT_EQ(shapes.count(number), 0u) << "a number is used once";
+    ReplayShape& shape = shapes[number];
+    shape.type = in.number<unsigned char>();
+    shape.owner = in.varint();
+    shape.points.resize(in.varint());
+    for (Vec3& x : shape.points) x = in.floats();
+    std::vector<std::uint64_t> sizes(in.varint());
+    for (auto& size : sizes) size = in.varint();
+    for (const auto size : sizes) {
+      std::vector<std::uint64_t> polygon(size);
+      for (auto& corner : polygon) corner = in.varint();
+      shape.polygons.push_back(polygon);
+    }
+  }
+
+  void read_frame(ByteReader& in) {
+    ReplayFrame frame;
+    frame.channels.resize(head.at("channels").size());
+    for (auto& channel : frame.channels)
+      for (float& x : channel) x = in.number<float>();
+    frame.key = (in.number<unsigned char>() & 1) != 0;
+    frame.t = in.number<double>();
+    frame.step = in.varint();
+    frame.h = in.number<double>();
+    frame.quantum = in.number<double>();
+    if (!frame.key) frame.bodies = frames.back().bodies;
+    read_list(in, frame);
+    read_arrays(in, frame);
+    frame.islands.resize(in.varint());
+    for (auto& island : frame.islands) {
+      island.contacts = in.varint();
+      island.iterations = in.varint();
+      island.residual = static_cast<double>(in.number<float>());
+    }
+    read_contacts(in, frame);
+    frame.lines.resize(in.varint());
+    for (auto& line : frame.lines) {
+      line.kind = in.number<unsigned char>();
+      line.name = in.text();
+      line.force = static_cast<double>(in.number<float>());
+      line.points.resize(in.varint());
+      for (Vec3& x : line.points) x = in.floats();
+    }
+    frames.push_back(std::move(frame));
+  }
+
+  static void read_list(ByteReader& in, ReplayFrame& frame) {
+    std::int64_t place = -1;
+    for (auto gone = in.varint(); gone > 0; --gone) {
+      place += static_cast<std::int64_t>(in.varint());
+      frame.bodies.at(static_cast<std::size_t>(place)).id = 0;
+    }
+    std::erase_if(frame.bodies, [](const ReplayBody& body) { return body.id == 0; });
+    std::int64_t id = 0;
+    for (auto came = in.varint(); came > 0; --came) {
+      ReplayBody body;
+      body.id = id += in.signed_varint();
+      body.kind = in.number<unsigned char>();
+      body.shape = in.varint();
+      body.fixed = in.number<unsigned char>() != 0;
+      body.thickness = static_cast<double>(in.number<float>());
+      body.mass = static_cast<double>(in.number<float>());
+      body.name = in.text();
+      frame.bodies.push_back(body);
+    }
+  }
+
+  void read_arrays(ByteReader& in, ReplayFrame& frame) const {
+    for (std::size_t k = 0; k < 7; ++k)
+      for (ReplayBody& body : frame.bodies) {
+        const std::int64_t predicted = body.past == 0   ? 0
+                                       : body.past == 1 ? body.now[k]
+                                                        : 2 * body.now[k] - body.before[k];
+        body.before[k] = body.now[k];
+        body.now[k] = predicted + in.signed_varint();
+      }
+    for (ReplayBody& body : frame.bodies) body.speed += in.signed_varint();
+    for (ReplayBody& body : frame.bodies) body.island += in.signed_varint();
+    if (head.at("damage").get<bool>())
+      for (ReplayBody& body : frame.bodies) body.damage += in.signed_varint();
+    for (ReplayBody& body : frame.bodies) {
+      body.past = std::min(body.past + 1, 2);
+      const auto& x = body.now;
+      body.p = frame.quantum * Vec3(static_cast<double>(x[0]), static_cast<double>(x[1]), static_cast<double>(x[2]));
+      body.q = Quat(static_cast<double>(x[3]), static_cast<double>(x[4]), static_cast<double>(x[5]),
+                    static_cast<double>(x[6]))
+                   .normalized();
+    }
+  }
+
+  static void read_contacts(ByteReader& in, ReplayFrame& frame) {
+    frame.contacts.resize(in.varint());
+    const auto unit = static_cast<double>(in.number<float>());
+    for (auto& c : frame.contacts) c.status = in.number<unsigned char>();
+    std::int64_t place = 0;
+    for (auto& c : frame.contacts) c.first = static_cast<std::size_t>(place += in.signed_varint());
+    for (auto& c : frame.contacts) c.second = in.varint();
+    for (int k = 0; k < 3; ++k)
+      for (auto& c : frame.contacts)
+        c.p[k] = frame.bodies.at(c.first).p[k] + 4 * frame.quantum * static_cast<double>(in.signed_varint());
+    for (int k = 0; k < 3; ++k)
+      for (auto& c : frame.contacts) c.n[k] = in.number<signed char>() / 127.0;
+    for (auto& c : frame.contacts) {
+      if ((c.status & 128) != 0) {
+        c.force = in.floats();
+        continue;
+      }
+      for (int k = 0; k < 3; ++k) c.force[k] = unit * static_cast<double>(in.signed_varint());
+    }
+  }
+};
+
+}  // namespace nilas::test
