@@ -11,8 +11,15 @@ int Channels::add(const std::string& name, const std::string& unit, double value
   NILAS_DEMAND(find(name) < 0 && std::isfinite(value));
   names_.push_back(name);
   units_.push_back(unit);
+  measured_.push_back(false);
   values_.push_back(value);
   return size() - 1;
+}
+
+int Channels::add_measured(const std::string& name, const std::string& unit, double value) {
+  const int k = add(name, unit, value);
+  measured_[k] = true;
+  return k;
 }
 
 int Channels::find(const std::string& name) const {

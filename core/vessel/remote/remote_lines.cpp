@@ -16,23 +16,31 @@ using Json = nlohmann::ordered_json;
 
 Json array_of(const Vec3& x) { return {x[0], x[1], x[2]}; }
 
-std::string names_of(const Channels& commands) {
+/// The fault of a name that is no command.
+std::string no_command(const std::string& name, const Channels& commands) {
+  std::vector<std::string> names;
   std::string all;
-  for (int k = 0; k < commands.size(); ++k) all += (all.empty() ? "" : ", ") + commands.name(k);
-  return all;
+  for (int k = 0; k < commands.size(); ++k) {
+    if (!commands.is_command(k)) continue;
+    names.push_back(commands.name(k));
+    all += (all.empty() ? "" : ", ") + commands.name(k);
+  }
+  if (commands.find(name) >= 0) return "'" + name + "' is measured and takes no command; allowed: " + all;
+  const std::string near = nearest_name(name, names);
+  return "there is no command '" + name + "'; allowed: " + all + (near.empty() ? "" : "; nearest: " + near);
 }
 
-std::string unknown_channel(const std::string& name, const Channels& commands) {
-  std::vector<std::string> names;
-  for (int k = 0; k < commands.size(); ++k) names.push_back(commands.name(k));
-  const std::string near = nearest_name(name, names);
-  return "there is no command '" + name + "'; allowed: " + names_of(commands) +
-         (near.empty() ? "" : "; nearest: " + near);
+/// The values by name, either of commands or of what is measured.
+Json values_of(const Channels& channels, bool commands) {
+  Json values = Json::object();
+  for (int k = 0; k < channels.size(); ++k)
+    if (channels.is_command(k) == commands) values[channels.name(k)] = channels[k];
+  return values;
 }
 
 }  // namespace
 
-std::string line_of(const Measured& state, const Channels& commands) {
+std::string line_of(const Measured& state, const Channels& channels) {
   const Mat3 R = state.q.toRotationMatrix();
   Json line;
   line["time_s"] = state.time;
@@ -44,8 +52,8 @@ std::string line_of(const Measured& state, const Channels& commands) {
   line["velocity_m_s"] = array_of(state.v);
   line["speeds_m_s"] = array_of(R.transpose() * state.v);
   line["rates_rad_s"] = array_of(R.transpose() * state.w);
-  line["commands"] = Json::object();
-  for (int k = 0; k < commands.size(); ++k) line["commands"][commands.name(k)] = commands[k];
+  line["commands"] = values_of(channels, true);
+  line["measured"] = values_of(channels, false);
   return line.dump();
 }
 
@@ -60,7 +68,7 @@ std::string obey(const std::string& line, Channels& commands) {
   std::vector<std::pair<int, double>> values;
   for (const auto& [name, value] : asked.items()) {
     const int channel = commands.find(name);
-    if (channel < 0) return unknown_channel(name, commands);
+    if (channel < 0 || !commands.is_command(channel)) return no_command(name, commands);
     if (!value.is_number() || !std::isfinite(value.get<double>()))
       return "command '" + name + "': found " + value.dump() + "; allowed: a finite number";
     values.emplace_back(channel, value.get<double>());

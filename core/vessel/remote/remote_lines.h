@@ -19,12 +19,12 @@ struct Measured {
 
 /// The line of a state: time_s, step, position_m, yaw_rad, pitch_rad, roll_rad (turns about z, the new y, the new x),
 /// velocity_m_s in the ground frame, speeds_m_s (surge, sway, heave) and rates_rad_s (roll, pitch, yaw) in the vessel's
-/// axes, and commands by name. Numbers read back as the same double.
-std::string line_of(const Measured& state, const Channels& commands);
+/// axes, commands by name, and what actuators measure of themselves, by name. Numbers read back as the same double.
+std::string line_of(const Measured& state, const Channels& channels);
 
 /// Sets the commands of an answer: {"commands": {"rudder": 0.1}}; an empty object keeps all. Returns the fault of a
-/// line that is no such object, that names an unknown channel or that has a value that is no finite number; then
-/// nothing is set. Empty: there is none.
+/// line that is no such object, that names an unknown or a measured channel, or that has a value that is no finite
+/// number; then nothing is set. Empty: there is none.
 std::string obey(const std::string& line, Channels& commands);
 
 }  // namespace nilas::vessel

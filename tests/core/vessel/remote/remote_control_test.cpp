@@ -73,7 +73,10 @@ bodies::Bodies one_vessel() {
 
 class RemoteControl : public testing::Test {
  protected:
-  RemoteControl() { commands_->add("rudder", "rad", 0); }
+  RemoteControl() {
+    commands_->add("rudder", "rad", 0);
+    commands_->add_measured("bow.thrust_actual", "N", 3);
+  }
 
   std::unique_ptr<bodies::Module> module(double timeout = 5, bool force = false) {
     return make_remote_control({socket_, timeout, force}, 0, bodies_, 1.5, commands_);
@@ -123,9 +126,12 @@ TEST_F(RemoteControl, SendsTheStateAndTakesCommands) {
   other.join();
   EXPECT_EQ(first.substr(0, 58), R"({"time_s":1.5,"step":0,"position_m":[1.0,2.0,0.25],"yaw_ra)");
   EXPECT_NE(first.find(R"("velocity_m_s":[0.0,3.0,0.0],"speeds_m_s":[3.0,)"), std::string::npos) << first;
-  EXPECT_NE(first.find(R"("rates_rad_s":[0.0,0.0,0.5],"commands":{"rudder":0.0}})"), std::string::npos) << first;
+  EXPECT_NE(
+      first.find(R"("rates_rad_s":[0.0,0.0,0.5],"commands":{"rudder":0.0},"measured":{"bow.thrust_actual":3.0}})"),
+      std::string::npos)
+      << first;
   EXPECT_NE(second.find(R"("time_s":1.6,"step":1,"position_m":[7.0,8.0,9.0])"), std::string::npos) << second;
-  EXPECT_NE(second.find(R"("commands":{"rudder":0.25})"), std::string::npos) << second;
+  EXPECT_NE(second.find(R"("commands":{"rudder":0.25},)"), std::string::npos) << second;
 }
 
 /// A run that continues from a checkpoint sends the line that the run would have sent.
@@ -187,6 +193,8 @@ TEST_F(RemoteControl, NamesWhatTheControllerDidWrong) {
   expect(sends("{\"commands\": {\"rudder\": \"1\"}}\n"), {"command 'rudder'", "found \"1\"", "finite"});
   expect(sends("{\"commands\": {\"rudder\": 1e999}}\n"), {"received: {\"commands\": {\"rudder\": 1e999}}"});
   expect(sends("{\"commands\": {\"rudder\": NaN}}\n"), {"no command", "NaN"});
+  expect(sends("{\"commands\": {\"rudder\": 0.1, \"bow.thrust_actual\": 1}}\n"),
+         {"'bow.thrust_actual' is measured and takes no command", "allowed: rudder;"});
   EXPECT_EQ((*commands_)[0], 0) << "nothing of a wrong line is taken";
 }
 
