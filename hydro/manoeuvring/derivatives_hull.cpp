@@ -35,6 +35,10 @@ DerivativeUnits units_of(const DerivativesHull& hull, double density, const Plan
   return {};
 }
 
+/// Least deviation of u from the reference speed, over U: that at half of the reference speed. Below it the expansion
+/// about that speed would give loads that do not vanish at rest, and those of third order would have no bound.
+constexpr double k_least_deviation = -1;
+
 double power_of(double x, int exponent) {
   double product = 1;
   for (int k = 0; k < exponent; ++k) product *= x;
@@ -69,8 +73,10 @@ std::optional<DerivativeTerm> derivative_term(const std::string& name) {
 PlanarLoads derivatives_loads(const DerivativesHull& hull, double density, const PlanarMotion& motion, double rudder) {
   const DerivativeUnits units = units_of(hull, density, motion);
   if (!(units.speed > 0)) return {};
-  const std::array<double, 4> x{(motion.u - hull.reference_speed) / units.speed, motion.v / units.speed,
-                                motion.r / units.rate, rudder};
+  const bool prime = hull.scaling == DerivativeScaling::prime || hull.scaling == DerivativeScaling::prime_draught;
+  double deviation = (motion.u - hull.reference_speed) / units.speed;
+  if (prime) deviation = std::max(deviation, k_least_deviation);
+  const std::array<double, 4> x{deviation, motion.v / units.speed, motion.r / units.rate, rudder};
   std::array<double, 3> sums{};
   for (const DerivativeTerm& term : hull.terms) {
     double product = term.value;

@@ -39,7 +39,8 @@ struct DerivativesHull {
 std::optional<DerivativeTerm> derivative_term(const std::string& name);
 
 /// The sums. `rudder`: its angle [rad]. In the prime systems the speed that makes velocities dimensionless is not below
-/// abs(r) L / k_mmg_yaw_rate, so that terms of third order stay bounded at rest.
+/// abs(r) L / k_mmg_yaw_rate, and the deviation from a reference speed is not below -1, its value at half of that speed
+/// on a straight course. So all loads fall to zero at rest with the square of the speed.
 PlanarLoads derivatives_loads(const DerivativesHull& hull, double density, const PlanarMotion& motion, double rudder);
 
 /// The added masses -X_udot, -Y_vdot, -(Y_rdot + N_vdot)/2 and -N_rdot with dimension. The mass of a rigid body and of

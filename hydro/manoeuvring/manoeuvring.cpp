@@ -23,7 +23,7 @@ class Manoeuvring : public bodies::ForceModule {
         rps_(settings_.rps) {
     rudder_channel_ = commands_->add(k_rudder_channel, "rad", 0);
     propeller_channel_ = commands_->add(k_propeller_channel, "1/s", rps_);
-    thrust_channel_ = commands_->add(k_thrust_channel, "N", 0);
+    thrust_channel_ = commands_->add_measured(k_thrust_channel, "N", 0);
   }
 
   std::string name() const override { return "manoeuvring"; }
@@ -47,8 +47,9 @@ class Manoeuvring : public bodies::ForceModule {
     rudder_ = follow(rudder_, wanted_rudder, settings_.rudder_rate * h);
     rps_ = follow(rps_, std::clamp((*commands_)[propeller_channel_], least, most), settings_.propeller_rate * h);
     seen_ = plane(bodies);
-    thrust_ = ship_loads(settings_.ship, settings_.density, seen_.motion, rudder_, rps_).thrust;
-    commands_->set(thrust_channel_, thrust_);
+    const ShipLoads loads = ship_loads(settings_.ship, settings_.density, seen_.motion, rudder_, rps_);
+    thrust_ = loads.thrust;
+    commands_->set(thrust_channel_, loads.jet);
     if (is_outside(seen_)) outside_ += h;
   }
 

@@ -9,7 +9,8 @@
 namespace nilas::hydro {
 
 /// Names of channels. The rudder angle [rad] is positive with the trailing edge to starboard, which turns the bow to
-/// starboard. The thrust [N] is that of the propeller before thrust deduction.
+/// starboard. The thrust [N] is that which drives the propeller's jet: of an open-water propeller the one before thrust
+/// deduction, of a thrust curve the net thrust without the ship's resistance in it.
 inline constexpr const char* k_rudder_channel = "rudder";
 inline constexpr const char* k_propeller_channel = "propeller";
 inline constexpr const char* k_thrust_channel = "propeller.thrust_actual";

@@ -76,6 +76,15 @@ double ManoeuvringShip::length() const {
   return std::visit([](const auto& any) { return any.length; }, hull);
 }
 
+bool ManoeuvringShip::steers() const {
+  if (rudder) return true;
+  const auto* given = std::get_if<DerivativesHull>(&hull);
+  constexpr std::size_t k_angle = 3;  // index of the rudder angle's powers
+  return given && std::any_of(given->terms.begin(), given->terms.end(), [](const DerivativeTerm& term) {
+           return term.powers[k_angle] + term.absolute_powers[k_angle] > 0;
+         });
+}
+
 PlanarLoads ShipLoads::sum() const {
   PlanarLoads all = hull;
   all += propeller;
@@ -88,19 +97,20 @@ ShipLoads ship_loads(const ManoeuvringShip& ship, double density, const PlanarMo
   const double L = ship.length();
   ShipLoads loads;
   loads.hull = hull_loads_of(ship, density, motion, angle);
-  double inflow = std::max(motion.u, 0.0), jet = 0;
+  double inflow = std::max(motion.u, 0.0), jet = 0;  // the jet in T / (rho D^2)
   if (const auto* propeller = std::get_if<OpenWaterPropeller>(&ship.propulsion)) {
     inflow = propeller_inflow(*propeller, L, motion);
     loads.thrust = propeller_thrust(*propeller, density, inflow, std::max(rps, 0.0));
     loads.propeller.X = (1 - propeller->t_P) * loads.thrust;
+    loads.jet = loads.thrust;
     jet = loads.thrust / (density * propeller->diameter * propeller->diameter);
   } else {
     const auto& curve = std::get<ThrustCurve>(ship.propulsion);
     loads.thrust = net_thrust(curve, motion.u, rps);
     loads.propeller.X = loads.thrust;
     loads.hull.X -= hull_loads_of(ship, density, {motion.u, 0, 0}, 0).X;
-    const double gross = loads.thrust - net_thrust(curve, motion.u, 0);
-    if (ship.rudder && curve.diameter > 0) jet = gross / (density * curve.diameter * curve.diameter);
+    loads.jet = loads.thrust - net_thrust(curve, motion.u, 0);
+    if (ship.rudder && curve.diameter > 0) jet = loads.jet / (density * curve.diameter * curve.diameter);
   }
   if (ship.rudder) loads.rudder = mmg_rudder_loads(*ship.rudder, density, L, motion, angle, inflow, jet);
   return loads;

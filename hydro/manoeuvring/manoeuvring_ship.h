@@ -19,12 +19,14 @@ struct ManoeuvringShip {
   double max_rps = 0;               ///< largest rate of revolutions of the propeller [1/s]
 
   double length() const;  ///< L [m]
+  bool steers() const;    ///< whether its rudder exerts any load: one of its own, or derivatives of the rudder angle
 };
 
 /// Loads by their source, about the point amidships.
 struct ShipLoads {
   PlanarLoads hull, propeller, rudder;
   double thrust = 0;  ///< of the propeller, before thrust deduction; of a thrust curve, the net thrust [N]
+  double jet = 0;     ///< the thrust that drives the propeller's jet; of a thrust curve, without the resistance [N]
 
   PlanarLoads sum() const;
 };

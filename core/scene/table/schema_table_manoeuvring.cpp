@@ -81,7 +81,7 @@ static std::vector<AttributeSpec> autopilot_gains() {
           {.name = "speed_time",
            .unit = "s",
            .range = above(0),
-           .default_note = "10 L/V",
+           .default_note = "3 L/V",
            .applies = applies,
            .doc = "In this time the integral of a steady speed error asks for as much as the error itself."}};
 }

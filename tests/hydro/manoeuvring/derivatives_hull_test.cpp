@@ -65,6 +65,28 @@ TEST(DerivativesHull, SystemsDifferByTheirUnitsOnly) {
   EXPECT_NEAR(sway(DerivativeScaling::prime_draught).N / (-0.1 * 0.02 * 0.5 * k_sea * L * L * L * d * 5), 1, 1e-12);
 }
 
+/// The prime systems about a reference speed of 8 m/s. Down to half of it the load is the given series; below, that at
+/// half of the speed times (u/4)^2, ahead and astern. Without a bound X_uuu would give 2e8 N at 0.01 m/s.
+TEST(DerivativesHull, AReferenceSpeedGivesNoLoadAtRest) {
+  for (const auto scaling : {DerivativeScaling::prime, DerivativeScaling::prime_draught}) {
+    DerivativesHull hull =
+        hull_with(scaling, {{"X_u", -0.002}, {"X_uu", 0.001}, {"X_uuu", -0.003}, {"Y_uuv", 0.01}, {"N_uud", 0.004}});
+    hull.reference_speed = 8;
+    const auto at = [&](double u, double v) { return derivatives_loads(hull, k_sea, {u, v, 0}, 0.2); };
+    const double unit = 0.5 * k_sea * 50 * (scaling == DerivativeScaling::prime ? 50 : 4);
+    const double x = (5.0 - 8) / 5;
+    EXPECT_NEAR(at(5, 0).X / (unit * 25 * (-0.002 * x + 0.001 * x * x - 0.003 * x * x * x)), 1, 1e-12);
+    const PlanarLoads half = at(4, 0);
+    for (const double u : {2.0, 0.01, -0.01, -2.0}) {
+      EXPECT_NEAR(at(u, 0).X / half.X, u * u / 16, 1e-12) << u;
+      EXPECT_NEAR(at(u, 0).N / half.N, u * u / 16, 1e-12) << u;
+    }
+    EXPECT_NEAR(at(4 - 1e-9, 0).X / half.X, 1, 1e-8) << "without a jump";
+    EXPECT_NEAR(at(0, 1e-3).Y, unit * 1e-6 * 0.01, 1e-12);
+    EXPECT_EQ(at(0, 0).X, 0);
+  }
+}
+
 /// MMG's polynomials as terms of the prime system with the draught: the same loads within MMG's range.
 TEST(DerivativesHull, HoldsMmgAsASpecialCase) {
   const auto mmg = std::get<hydro::MmgHull>(hydro::kvlcc2(320).hull);

@@ -87,6 +87,28 @@ TEST(Manoeuvring, MachinesFollowAtTheirRates) {
   EXPECT_EQ(module->columns().size(), values().size());
 }
 
+/// A thrust curve at 4 m/s of 8 m/s and full revolutions: the net thrust is pull (1 - 1/6 - 1/6), and the jet has what
+/// the resistance of 2/3 (1/2)^2 took off, pull (1 - 1/6). Without revolutions there is no jet.
+TEST(Manoeuvring, TheJetOfAThrustCurveHasTheThrustWithoutTheResistance) {
+  auto ship = hydro::kvlcc2(320);
+  ship.propulsion = hydro::ThrustCurve{.pull = 6e5, .max_speed = 8, .max_rps = 2};
+  auto settings = settings_of(ship);
+  settings.rps = 2;
+  settings.propeller_rate = 10;
+  const auto commands = std::make_shared<Channels>();
+  const auto module = make_manoeuvring(settings, commands);
+  bodies::Bodies bodies = test::one_vessel(3e8);
+  test::place_vessel(bodies, {0, 0, 0, {4, 0, 0}}, k_x_G);
+  module->end_substep(bodies, 1, 1);
+  std::vector<double> values;
+  module->append_values(values);
+  EXPECT_NEAR(values[2], 4e5, 1e-9);
+  EXPECT_NEAR((*commands)[commands->find("propeller.thrust_actual")], 5e5, 1e-9);
+  commands->set(commands->find("propeller"), 0);
+  module->end_substep(bodies, 2, 1);
+  EXPECT_EQ((*commands)[commands->find("propeller.thrust_actual")], 0);
+}
+
 TEST(Manoeuvring, AddForcesChangesNothingAndStateIsKept) {
   const auto commands = std::make_shared<Channels>();
   const auto module = make_manoeuvring(settings_of(hydro::kvlcc2(320)), commands);

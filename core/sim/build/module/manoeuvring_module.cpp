@@ -72,7 +72,10 @@ std::vector<hydro::CourseOrder> course_orders(const ModuleSources& from) {
 hydro::AutopilotGains autopilot_gains(const ModuleSources& from, const hydro::ManoeuvringShip& ship,
                                       const std::vector<hydro::CourseOrder>& orders) {
   // In L/V. With them KVLCC2, which is unstable on a straight course, swings 9 % past a change of heading.
-  constexpr double k_yaw_lengths = 3, k_heading_lengths = 50, k_speed_lengths = 10;
+  constexpr double k_yaw_lengths = 3, k_heading_lengths = 50;
+  // The loop of speed is m s^2 + (P + D) s + P / T_s, with the gain P and the damping D of thrust and resistance in N
+  // per m/s. By estimate its damping ratio at 3 L/V is about 1 for an icebreaker on its thrust curve at 3 m/s.
+  constexpr double k_speed_lengths = 3;
   constexpr double k_slow = 0.01;  // least Froude number for L/V, so that a stop has gains
   const scene::ManoeuvreScene& given = *from.scene.vessel->manoeuvre;
   double fastest = 0;
@@ -88,6 +91,19 @@ hydro::AutopilotGains autopilot_gains(const ModuleSources& from, const hydro::Ma
   gains.max_rudder = from.scene.vessel->manoeuvring->max_rudder_deg * k_deg;
   gains.max_rps = ship.max_rps;
   return gains;
+}
+
+/// A manoeuvre that steers needs a ship that does.
+void demand_rudder(const ModuleSources& from, const hydro::ManoeuvringShip& ship) {
+  const scene::ManoeuvreScene& given = *from.scene.vessel->manoeuvre;
+  if (given.kind == ManoeuvreKind::straight || ship.steers()) return;
+  const scene::ManoeuvringScene& hull = *from.scene.vessel->manoeuvring;
+  throw InputError(fmt::format(
+      "{}: <vessel><manoeuvre kind>: found '{}', but {} has no rudder; allowed: kind=\"{}\", or a file of a ship with "
+      "rudder_area_m2 or with derivatives of the rudder angle such as N_d",
+      from.scene.file.string(), name_of(given.kind),
+      hull.preset ? "the preset '" + name_of(*hull.preset) + "'" : "the ship of " + hull.file,
+      name_of(ManoeuvreKind::straight)));
 }
 
 std::unique_ptr<hydro::Manoeuvre> manoeuvre_of(const ModuleSources& from, const hydro::ManoeuvringShip& ship) {
@@ -147,7 +163,9 @@ BuiltModule build_manoeuvre(const ModuleSources& from) {
   settings.midship = midship_of(from);
   settings.current = from.parts.water->current;
   settings.start = given.start.value_or(from.scene.time.start);
-  return {hydro::make_steering(settings, manoeuvre_of(from, ship_of(from)), from.parts.commands),
+  const hydro::ManoeuvringShip ship = ship_of(from);
+  demand_rudder(from, ship);
+  return {hydro::make_steering(settings, manoeuvre_of(from, ship), from.parts.commands),
           fmt::format("<manoeuvre>: {} from {:g} s", name_of(given.kind), settings.start)};
 }
 

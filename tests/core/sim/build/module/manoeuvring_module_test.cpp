@@ -118,6 +118,20 @@ TEST(ManoeuvringModule, TellsWhatItDoes) {
   EXPECT_NE(all.find("manoeuvre: <manoeuvre>: turning-circle from 0 s"), std::string::npos) << all;
 }
 
+/// The supply vessel of the preset has no rudder: it sails straight on, and cannot be steered.
+TEST(ManoeuvringModule, RefusesToSteerAShipWithoutRudder) {
+  const auto supply = [](const std::string& kind) {
+    return open_sea(
+        tanker("<manoeuvring model='derivatives' preset='supply' length='320'/><manoeuvre kind='" + kind + "'/>"));
+  };
+  for (const std::string kind : {"turning-circle", "zigzag", "course"})
+    test::expect_refusal<InputError>([&] { Rig(supply(kind), 1, files()); },
+                                     {"scene.xml", "<manoeuvre kind>", "found '" + kind + "'",
+                                      "preset 'supply' has no rudder", "allowed: kind=\"straight\""});
+  Rig straight(supply("straight"), 1, files());
+  straight.simulation.step();
+}
+
 TEST(ManoeuvringModule, RefusesSpeedsBeyondThePropeller) {
   test::expect_refusal<InputError>(
       [] { Rig(open_sea(tanker("<manoeuvring preset='kvlcc2'/>", "9.5 0 0")), 1, files()); },
