@@ -1,6 +1,8 @@
 #include "hydro/flow/propeller_wash.h"
 
-#include <cmath>
+#include <utility>
+
+#include "core/base/error.h"
 
 namespace nilas::hydro {
 
@@ -9,7 +11,9 @@ namespace {
 class PropellerWash : public bodies::Module {
  public:
   PropellerWash(std::vector<WashSource> sources, int hull, std::shared_ptr<const Channels> channels)
-      : sources_(std::move(sources)), states_(sources_.size()), hull_(hull), channels_(std::move(channels)) {}
+      : sources_(std::move(sources)), states_(sources_.size()), hull_(hull), channels_(std::move(channels)) {
+    for (const WashSource& source : sources_) NILAS_DEMAND(source.angle_channel < 0 || source.push);
+  }
   std::string name() const override { return "propeller_wash"; }
   bodies::VesselLoad load_on_vessel() const override { return bodies::VesselLoad::none; }
   /// The jets set ice in motion, at no one velocity.
@@ -20,8 +24,14 @@ class PropellerWash : public bodies::Module {
       const WashSource& source = sources_[k];
       State& state = states_[k];
       state.position = bodies.p_GB[hull_] + bodies.R_GB[hull_] * source.position;
-      state.direction = bodies.R_GB[hull_] * direction_of(source);
       state.thrust = source.thrust_channel < 0 ? source.thrust : (*channels_)[source.thrust_channel];
+      Vec3 direction = source.direction;
+      if (source.angle_channel >= 0) {
+        const Vec2 push = source.push((*channels_)[source.angle_channel], state.thrust > 0);
+        direction = -Vec3(push.x(), push.y(), 0).normalized();
+        state.thrust *= push.norm();
+      }
+      state.direction = bodies.R_GB[hull_] * direction;
       give(k);
     }
   }
@@ -58,11 +68,6 @@ class PropellerWash : public bodies::Module {
     double thrust = 0;                                        ///< [N]
   };
 
-  Vec3 direction_of(const WashSource& source) const {
-    if (source.angle_channel < 0) return source.direction;
-    const double angle = (*channels_)[source.angle_channel];
-    return {-std::cos(angle), -std::sin(angle), 0};
-  }
   void give(std::size_t k) const { sources_[k].jet->set(states_[k].position, states_[k].direction, states_[k].thrust); }
 
   std::vector<WashSource> sources_;

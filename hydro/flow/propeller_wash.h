@@ -1,6 +1,7 @@
 #pragma once
 /// The module that keeps the jets of the vessel's propellers and thrusters at the present thrust and pose. It exerts no
 /// load itself: floes take the drag of the water that a jet moves.
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -18,7 +19,10 @@ struct WashSource {
   Vec3 direction = -Vec3::UnitX();  ///< the unit vector along which the jet leaves with positive thrust, in V
   double thrust = 0;                ///< constant thrust where no channel gives it [N]
   int thrust_channel = -1;          ///< the channel of the present thrust [N]; -1: none
-  int angle_channel = -1;  ///< the channel of the angle of the thrust about z, from x towards y [rad]; -1: none
+  int angle_channel = -1;           ///< the channel of the angle that `push` takes [rad]; -1: `direction` holds
+  /// Force of unit thrust at that angle in the vessel's x and y axes, of a thruster that turns or has a rudder: the jet
+  /// carries away its momentum. `ahead`: whether the thrust is positive.
+  std::function<Vec2(double angle, bool ahead)> push;
 };
 
 /// The names under which an actuator publishes its present state.

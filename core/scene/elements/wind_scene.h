@@ -35,11 +35,11 @@ struct WindAreaScene {
 };
 
 struct JetScene {
-  std::string thruster;          ///< name of the actuator; empty where the thrust is constant
-  std::optional<double> thrust;  ///< [N]
-  double diameter = 0;           ///< [m]
-  Vec3 position = Vec3::Zero();  ///< frame V [m]
-  Vec3 direction = -Vec3::UnitX();
+  std::string thruster;           ///< name of the actuator; empty where the thrust is constant
+  std::optional<double> thrust;   ///< [N]
+  double diameter = 0;            ///< [m]
+  Vec3 position = Vec3::Zero();   ///< frame V [m]
+  std::optional<Vec3> direction;  ///< in V; default: against the thrust, or astern where it is constant
   int line = 0;
 
   bool operator==(const JetScene&) const = default;

@@ -109,7 +109,6 @@ static ElementSpec propeller_wash() {
 }
 
 static ElementSpec jet() {
-  const JetScene values;
   return {
       .name = "jet",
       .parent = "propeller_wash",
@@ -138,9 +137,9 @@ static ElementSpec jet() {
           {.name = "direction",
            .min_count = 3,
            .max_count = 3,
-           .default_value = written(values.direction),
-           .doc = "The jet leaves along this vector of V with positive thrust. Its length has no effect. A thruster "
-                  "that turns sends its jet against its thrust instead."}}};
+           .default_note = "-1 0 0, and for a tunnel thruster 0 -1 0, against its thrust",
+           .doc = "The jet leaves along this vector of V with positive thrust. Its length has no effect. An azimuth "
+                  "sends its jet against its thrust instead, and a propeller with rudder against the force of both."}}};
 }
 
 std::vector<ElementSpec> wind_elements() { return {wind(), wind_area(), propeller_wash(), jet()}; }

@@ -28,7 +28,9 @@ struct Rig {
   int angle = channels->add(angle_channel_name("stern"), "rad", 0);
 
   std::unique_ptr<bodies::Module> module(const bodies::Bodies& bodies, bool turns) const {
-    return make_propeller_wash({{jet, {-20, 0, -2}, {-1, 0, 0}, 0, thrust, turns ? angle : -1}}, 0, channels, bodies);
+    const auto push = [](double a, bool) { return direction_of(a); };
+    return make_propeller_wash({{jet, {-20, 0, -2}, {-1, 0, 0}, 0, thrust, turns ? angle : -1, push}}, 0, channels,
+                               bodies);
   }
 };
 
@@ -52,6 +54,26 @@ TEST(PropellerWash, JetLeavesAgainstTheThrustOfATurnedThruster) {
   EXPECT_LT((rig.jet->velocity({-20, -1, -2}, 0) - Vec3(0, -rig.jet->efflux_velocity(), 0)).norm(), 1e-12);
 }
 
+/// A rudder takes 10 % of the thrust as drag and gives 50 % of it to port: the jet carries the momentum of both, thrust
+/// times (-0.9, -0.5). Astern the rudder does nothing, and the jet leaves ahead.
+TEST(PropellerWash, ARudderTurnsTheJetByItsForce) {
+  const Rig rig;
+  const Vec2 both(0.9, 0.5);
+  const auto push = [&](double angle, bool ahead) { return angle > 0 && ahead ? both : Vec2(1, 0); };
+  const bodies::Bodies hull = hull_at(Vec3::Zero(), 0);
+  const auto module =
+      make_propeller_wash({{rig.jet, {-20, 0, -2}, {-1, 0, 0}, 0, rig.thrust, rig.angle, push}}, 0, rig.channels, hull);
+  const double V0 = rig.jet->efflux_velocity();
+  rig.channels->set(rig.angle, 0.6);
+  module->end_substep(hull, 1, 0.1);
+  const Vec3 u = rig.jet->velocity({-20 - 0.9, -0.5, -2}, 0);
+  EXPECT_LT((u - V0 / std::sqrt(both.norm()) * Vec3(-0.9, -0.5, 0)).norm(), 1e-12)
+      << "V0 goes with the root of the force";
+  rig.channels->set(rig.thrust, -1e5);
+  module->end_substep(hull, 2, 0.1);
+  EXPECT_LT((rig.jet->velocity({-19, 0, -2}, 0) - Vec3(V0, 0, 0)).norm(), 1e-12);
+}
+
 /// Between two steps the jet is that of the last substep. A resumed run has the same bits.
 TEST(PropellerWash, ContinuesWithTheJetThatItHad) {
   const Rig first, second;
@@ -68,7 +90,7 @@ TEST(PropellerWash, ContinuesWithTheJetThatItHad) {
 TEST(PropellerWash, ConstantThrustNeedsNoChannel) {
   const auto jet = std::make_shared<PropellerJet>(3.0, 1025.0);
   const bodies::Bodies bodies = hull_at(Vec3::Zero(), 0);
-  make_propeller_wash({{jet, {-20, 0, -2}, {-1, 0, 0}, 2e5, -1, -1}}, 0, std::make_shared<Channels>(), bodies);
+  make_propeller_wash({{jet, {-20, 0, -2}, {-1, 0, 0}, 2e5, -1, -1, {}}}, 0, std::make_shared<Channels>(), bodies);
   EXPECT_GT(jet->efflux_velocity(), 5);
 }
 

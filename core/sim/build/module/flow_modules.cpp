@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/base/error.h"
+#include "core/sim/build/module/thruster_modules.h"
 #include "hydro/flow/current_tables.h"
 #include "hydro/flow/propeller_wash.h"
 #include "hydro/wind/wind.h"
@@ -75,21 +76,35 @@ std::string publishers(const Channels& channels) {
   return names.empty() ? "none, since the scene has no thruster or propeller" : names;
 }
 
+/// Lets the jet of a thruster carry away the momentum of its thrust.
+void send_against_thrust(const vessel::Thruster& thruster, const scene::JetScene& given, const ModuleSources& from,
+                         hydro::WashSource& source) {
+  const auto push = [thruster](double angle, bool ahead) { return thruster.direction(angle, ahead); };
+  if (thruster.turns()) {
+    source.angle_channel = from.parts.commands->find(hydro::angle_channel_name(thruster.name));
+    source.push = push;
+  } else if (!given.direction) {
+    const Vec2 force = push(0, true);
+    source.direction = {-force.x(), -force.y(), 0};
+  }
+}
+
 hydro::WashSource wash_source(const scene::JetScene& given, std::size_t k, const ModuleSources& from) {
   const WorldParts& parts = from.parts;
   hydro::WashSource source;
   source.jet = parts.jets.at(k);
   source.position = given.position - parts.vessel_model->mass.com;
-  source.direction = given.direction.normalized();
+  source.direction = given.direction.value_or(-Vec3::UnitX()).normalized();
   source.thrust = given.thrust.value_or(0);
   if (given.thruster.empty()) return source;
   source.thrust_channel = parts.commands->find(hydro::thrust_channel_name(given.thruster));
-  source.angle_channel = parts.commands->find(hydro::angle_channel_name(given.thruster));
   if (source.thrust_channel < 0)
     throw InputError(
         fmt::format("{}:{}: <hydro><propeller_wash><jet thruster>: found '{}', which publishes no thrust; "
                     "allowed: {}; or a constant thrust",
                     from.scene.file.string(), given.line, given.thruster, publishers(*parts.commands)));
+  for (const scene::ThrusterScene& thruster : from.scene.vessel->thrusters)
+    if (thruster.name == given.thruster) send_against_thrust(thruster_of(thruster, from), given, from, source);
   return source;
 }
 

@@ -12,34 +12,9 @@ namespace nilas::sim {
 
 namespace {
 
-vessel::Thruster thruster_of(const scene::ThrusterScene& given, double water_density, double file_scale) {
-  vessel::Thruster thruster;
-  thruster.name = given.name;
-  thruster.kind = given.kind;
-  thruster.at_V = given.at;
-  thruster.most_ahead = given.max_thrust;
-  thruster.most_astern = given.max_astern.value_or(given.max_thrust);
-  thruster.lag = given.lag;
-  if (given.rate) thruster.rate = *given.rate;
-  thruster.turn_rate = given.turn_rate_deg * k_deg;
-  for (std::size_t k = 0; k + 1 < given.forbidden_deg.size(); k += 2)
-    thruster.forbidden.emplace_back(given.forbidden_deg[k] * k_deg, given.forbidden_deg[k + 1] * k_deg);
-  thruster.power = given.power;
-  thruster.loss = given.loss;
-  thruster.free_speed = given.free_speed;
-  if (!given.loss_table.empty()) thruster.loss_over_speed = vessel::ThrustLoss::read(given.loss_table, file_scale);
-  thruster.fails_at = given.fails_at;
-  thruster.rudder = {
-      given.rudder_area, given.rudder_span, given.rudder_distance, given.diameter, given.rudder_limit_deg * k_deg,
-      water_density};
-  return thruster;
-}
-
 std::vector<vessel::Thruster> thrusters_of(const ModuleSources& from) {
-  const double density = from.parts.water ? from.parts.water->density : defaults::k_water_density;
   std::vector<vessel::Thruster> thrusters;
-  for (const scene::ThrusterScene& given : from.scene.vessel->thrusters)
-    thrusters.push_back(thruster_of(given, density, from.scene.scale));
+  for (const scene::ThrusterScene& given : from.scene.vessel->thrusters) thrusters.push_back(thruster_of(given, from));
   return thrusters;
 }
 
@@ -123,6 +98,33 @@ vessel::DpSettings dp_settings(const ModuleSources& from) {
 }
 
 }  // namespace
+
+vessel::Thruster thruster_of(const scene::ThrusterScene& given, const ModuleSources& from) {
+  vessel::Thruster thruster;
+  thruster.name = given.name;
+  thruster.kind = given.kind;
+  thruster.at_V = given.at;
+  thruster.most_ahead = given.max_thrust;
+  thruster.most_astern = given.max_astern.value_or(given.max_thrust);
+  thruster.lag = given.lag;
+  if (given.rate) thruster.rate = *given.rate;
+  thruster.turn_rate = given.turn_rate_deg * k_deg;
+  for (std::size_t k = 0; k + 1 < given.forbidden_deg.size(); k += 2)
+    thruster.forbidden.emplace_back(given.forbidden_deg[k] * k_deg, given.forbidden_deg[k + 1] * k_deg);
+  thruster.power = given.power;
+  thruster.loss = given.loss;
+  thruster.free_speed = given.free_speed;
+  if (!given.loss_table.empty())
+    thruster.loss_over_speed = vessel::ThrustLoss::read(given.loss_table, from.scene.scale);
+  thruster.fails_at = given.fails_at;
+  thruster.rudder = {given.rudder_area,
+                     given.rudder_span,
+                     given.rudder_distance,
+                     given.diameter,
+                     given.rudder_limit_deg * k_deg,
+                     from.parts.water ? from.parts.water->density : defaults::k_water_density};
+  return thruster;
+}
 
 BuiltModule build_thrusters(const ModuleSources& from) {
   if (!from.scene.vessel || from.scene.vessel->thrusters.empty()) return {};

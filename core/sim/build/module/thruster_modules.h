@@ -1,8 +1,12 @@
 #pragma once
 /// Entries of the module list for the vessel's thrusters and their control.
 #include "core/sim/build/module/module_sources.h"
+#include "core/vessel/thrusters/thruster.h"
 
 namespace nilas::sim {
+
+/// The thruster of an element. Throws InputError and FileError for a wrong table of thrust loss.
+vessel::Thruster thruster_of(const scene::ThrusterScene& given, const ModuleSources& from);
 
 /// <thrusters>, as vessel::make_thrusters(). Throws InputError and FileError for a wrong table of thrust loss.
 BuiltModule build_thrusters(const ModuleSources& from);

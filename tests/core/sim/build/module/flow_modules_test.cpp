@@ -98,6 +98,42 @@ TEST(FlowModules, WindAndJetGoOnFromACheckpoint) {
   EXPECT_GT(whole.bodies().v_GB[0].y(), 1e-4) << "the wind drives the vessel";
 }
 
+/// A tunnel's jet leaves athwart and a propeller's astern, unless the scene says otherwise. With its rudder over, a
+/// propeller sends the jet against the force of both.
+TEST(FlowModules, JetsLeaveAgainstTheThrust) {
+  const std::string strong = "max_thrust='100' power='1000' at='0 0 -0.1' ";
+  const std::string jet = "<jet diameter='0.2' position='0 0 -0.1' thruster=";
+  const WorldParts parts = built(
+      "<water density='1000'/><hydro><buoyancy/><drag/><propeller_wash>" + jet + "'bow'/>" + jet + "'main'/>" + jet +
+      "'bow' direction='0 -3 -4'/>" + jet + "'steered'/></propeller_wash></hydro>" +
+      test::box_vessel("position='0 0 0'",
+                       "<thrusters><thruster name='bow' kind='tunnel' " + strong +
+                           "/><thruster name='main' "
+                           "kind='propeller' " +
+                           strong + "/><thruster name='steered' kind='propeller-rudder' " + strong +
+                           "rudder_area='0.03' rudder_span='0.2' rudder_distance='0.1' diameter='0.2'/></thrusters>",
+                       500));
+  for (const char* name : {"bow", "main", "steered"})
+    parts.commands->set(parts.commands->find(name + std::string(".thrust_actual")), 80);
+  parts.commands->set(parts.commands->find("steered.angle_actual"), 0.5);
+  for (const auto& module : parts.modules)
+    if (module->name() == "propeller_wash") module->end_substep(parts.bodies, 0, 0.1);
+  const Vec3 centre = parts.bodies.p_GB[0] + Vec3(0, 0, -0.1) - parts.vessel_model->mass.com;
+  const auto leaves = [&](std::size_t k, const Vec3& direction) {
+    const double V0 = parts.jets[k]->efflux_velocity();
+    EXPECT_GT(V0, 1);
+    EXPECT_LT((parts.jets[k]->velocity(centre + 0.05 * direction, 0) - V0 * direction).norm(), 1e-9) << k;
+  };
+  leaves(0, -Vec3::UnitY());
+  leaves(1, -Vec3::UnitX());
+  leaves(2, Vec3(0, -0.6, -0.8));
+  const vessel::Rudder rudder{
+      .area = 0.03, .span = 0.2, .behind = 0.1, .diameter = 0.2, .most_angle = 35 * k_deg, .water_density = 1000};
+  const Vec2 force = Vec2::UnitX() + vessel::rudder_force(rudder, 0.5, 1, 0, 0);
+  EXPECT_GT(force.y(), 0.2);
+  leaves(3, -Vec3(force.x(), force.y(), 0).normalized());
+}
+
 TEST(FlowModules, AThrusterThatPublishesNoThrustIsRefused) {
   const std::string scene =
       "<water/><hydro><drag/>\n<propeller_wash><jet thruster='stern' diameter='1' position='0 0 0'/></propeller_wash>"
