@@ -1,12 +1,40 @@
 #include <algorithm>
+#include <cmath>
 
 #include "core/base/math.h"
 #include "core/choices/thruster_choices.h"
 #include "core/scene/check/cross_checks.h"
+#include "core/scene/scene.h"
 #include "core/scene/schema/attribute_values.h"
 #include "core/scene/spec/values.h"
 
 namespace nilas::scene {
+
+/// Forbidden sectors come in pairs, have a width and lie beside each other.
+static void check_sectors(const SceneElement& thruster, std::vector<Fault>& faults) {
+  const auto sectors = numbers_of(thruster, "forbidden_deg");
+  if (!sectors) return;
+  const auto refuse = [&](const std::string& message) {
+    faults.push_back(fault_of(thruster, "forbidden_deg", message));
+  };
+  if (sectors->size() % 2 != 0)
+    return refuse("found " + std::to_string(sectors->size()) + " numbers; allowed: pairs of from and to");
+  constexpr double k_circle = 360;
+  const auto beyond = [](double angle, double from) {
+    const double rest = std::fmod(angle - from, k_circle);
+    return rest < 0 ? rest + k_circle : rest;
+  };
+  const auto pair = [&](std::size_t k) {
+    return "'" + format_number(sectors->at(k)) + " " + format_number(sectors->at(k + 1)) + "'";
+  };
+  for (std::size_t k = 0; k < sectors->size(); k += 2) {
+    const double from = sectors->at(k), width = beyond(sectors->at(k + 1), from);
+    if (width == 0) return refuse("found " + pair(k) + ", a sector without width or a whole turn; allowed: two angles");
+    for (std::size_t other = 0; other < sectors->size(); other += 2)
+      if (other != k && beyond(sectors->at(other), from) < width)
+        return refuse("found " + pair(k) + " and " + pair(other) + ", which overlap; allowed: one sector for both");
+  }
+}
 
 static void check_thruster(const SceneElement& thruster, std::vector<Fault>& faults) {
   const auto kind = choice_of<ThrusterKind>(thruster, "kind");
@@ -15,9 +43,7 @@ static void check_thruster(const SceneElement& thruster, std::vector<Fault>& fau
       if (!is_named(thruster, needed))
         faults.push_back(
             fault_of(thruster, "a propeller with rudder needs " + std::string(needed) + "; allowed: a number > 0"));
-  if (const auto sectors = numbers_of(thruster, "forbidden_deg"); sectors && sectors->size() % 2 != 0)
-    faults.push_back(fault_of(thruster, "forbidden_deg",
-                              "found " + std::to_string(sectors->size()) + " numbers; allowed: pairs of from and to"));
+  check_sectors(thruster, faults);
   if (is_named(thruster, "free_speed") && is_named(thruster, "loss_table"))
     faults.push_back(fault_of(thruster, "loss_table", "found free_speed and loss_table; allowed: one of them"));
   const auto ahead = number_of(thruster, "max_thrust"), thrust = number_of(thruster, "thrust");
@@ -67,8 +93,16 @@ static std::string missing_motion(const SceneElement& thrusters) {
   return Eigen::FullPivLU<MatX>(all).rank() < 3 ? "yaw" : "";
 }
 
-static void check_control(const SceneElement& vessel, const SceneElement& control, std::vector<Fault>& faults) {
+static void check_control(const SceneElement& root, const SceneElement& vessel, const SceneElement& control,
+                          std::vector<Fault>& faults) {
   if (choice_of<ControlMode>(control, "mode") != ControlMode::dp) return;
+  const SceneElement* time = child_of(root, "time");
+  const double step = time ? number_of(*time, "step").value_or(TimeScene{}.step) : TimeScene{}.step;
+  const auto period = number_of(control, "sensor_period");
+  if (period && *period < step)
+    faults.push_back(fault_of(control, "sensor_period",
+                              "found " + format_number(*period) + ", shorter than the time step; allowed: at least " +
+                                  format_number(step) + " [s]"));
   for (const char* replaced : {"setpoint", "heading_deg"})
     if (attribute_of(control, "path") && attribute_of(control, replaced))
       faults.push_back(
@@ -87,7 +121,7 @@ static void check_control(const SceneElement& vessel, const SceneElement& contro
 
 void check_thrusters(const SceneElement& root, const SceneElement& vessel, std::vector<Fault>& faults) {
   const SceneElement *thrusters = child_of(vessel, "thrusters"), *control = child_of(vessel, "control");
-  if (control) check_control(vessel, *control, faults);
+  if (control) check_control(root, vessel, *control, faults);
   if (!thrusters) return;
   for (const char* holder : {"carriage", "fixed"})
     if (child_of(vessel, holder))

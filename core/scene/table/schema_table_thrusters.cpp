@@ -100,8 +100,8 @@ static ElementSpec thruster() {
         .max_count = k_any_count,
         .unit = "deg",
         .applies = when("kind", ThrusterKind::azimuth),
-        .doc = "These are sectors, each from one angle to another with the angle rising, into which control gives no "
-               "thrust."},
+        .doc = "These are sectors, each from one angle to another with the angle rising, into which control lets no "
+               "force on the vessel point. They must not overlap."},
        of_rudder("rudder_area", "m^2", "It is the lateral area of the rudder."),
        of_rudder("rudder_span", "m", "It is the height of the rudder."),
        of_rudder("rudder_distance", "m", "It is the distance from the propeller's plane to the rudder."),
@@ -210,9 +210,8 @@ static ElementSpec control() {
                     written(values.yaw_damping)),
        with_default(feed_forward, written(values.wind_feed_forward)),
        of_dp("sensor_period", "s", any_positive, "the time step",
-             "It is the time between samples, and between commands."),
-       with_default(of_dp("sensor_delay", "s", at_least(0), "",
-                          "It is the age of a sample when it arrives, rounded to whole periods."),
+             "It is the time between samples, and between commands, at least the time step."),
+       with_default(of_dp("sensor_delay", "s", at_least(0), "", "It is the age of a sample when it arrives."),
                     written(values.sensor_delay)),
        with_default(
            of_dp("position_noise", "m", at_least(0), "", "It is the standard deviation of the measured x and y."),

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/vessel/control/loss_of_station.h"
 #include "core/vessel/control/station_statistics.h"
 #include "core/vessel/thrusters/actuator.h"
 #include "core/vessel/thrusters/thruster_module.h"
@@ -34,7 +35,7 @@ class Dp : public bodies::Module {
       : settings_(settings),
         allocation_(std::move(allocation)),
         channels_(std::move(channels)),
-        sensors_(settings.sensors, settings.position),
+        sensors_(settings.sensors, settings.start, settings.position),
         observer_(settings.observer, settings.position, settings.velocity),
         reference_(settings.filter_bandwidth, settings.position),
         controller_(settings.controller),
@@ -55,6 +56,7 @@ class Dp : public bodies::Module {
 
   void end_substep(const bodies::Bodies& bodies, double t, double h) override {
     follow_truth(plane_position(bodies, settings_.hull));
+    sensors_.note(t, position_);
     judge(t);
     impulse_ += h * acting_;
     elapsed_ += h;
@@ -79,7 +81,12 @@ class Dp : public bodies::Module {
                    shortfall_.head<2>().norm(), std::abs(shortfall_.z()), statistics_.outside() ? 1.0 : 0.0});
   }
   std::optional<double> total(std::string_view name) const override { return statistics_.total(name); }
-  std::vector<bodies::RunFigure> figures() const override { return statistics_.figures(); }
+  std::vector<bodies::RunFigure> figures() const override {
+    std::vector<bodies::RunFigure> all = statistics_.figures();
+    const std::string swinging = loss_.swinging();
+    all.push_back({"swings_1", swinging.empty() ? 0.0 : 1.0, swinging.empty() ? "" : "control swings", swinging});
+    return all;
+  }
 
   void save(const bodies::Bodies& bodies, StateWriter out) const override;
   void restore(const StateReader& in) override;
@@ -102,13 +109,16 @@ class Dp : public bodies::Module {
     return thrusts(&DpChannels::actual_thrust, &DpChannels::actual_angle);
   }
 
+  /// Ends the run where the vessel is lost: too far from its reference, or turned by more than half a turn.
   void judge(double t) const {
-    const double offset = (position_ - reference_.position()).head<2>().norm();
-    if (position_.allFinite() && offset <= settings_.most_offset) return;
+    const Vec3 off = position_ - reference_.position();
+    const double offset = off.head<2>().norm(), turn = std::abs(off.z());
+    const bool near = offset <= settings_.most_offset;
+    if (position_.allFinite() && near && turn <= k_pi) return;
     throw SimulationError(fmt::format(
-        "at {:g} s dynamic positioning has lost the vessel: it is {:.3g} m from its reference, more than the "
-        "most_offset of {:g} m; the thrusters could not give the wanted load in {:.0f} % of the time of the statistics",
-        t, offset, settings_.most_offset, 100 * statistics_.total(k_dp_saturation_share).value()));
+        "at {:g} s dynamic positioning has lost the vessel: it is {:.3g} m from its reference, {} the most_offset of "
+        "{:g} m, and {:.3g} deg from the heading of its reference. {}",
+        t, offset, near ? "within" : "more than", settings_.most_offset, turn / k_deg, loss_.text()));
   }
 
   /// The known load in the vessel's axes, by the estimated heading.
@@ -121,14 +131,14 @@ class Dp : public bodies::Module {
   void control(const bodies::Bodies& bodies, double t) {
     const Vec3 known = known_load(bodies, t);
     observer_.predict(impulse_ / elapsed_ + known, elapsed_);
-    observer_.correct(sensors_.sample(position_), elapsed_);
+    observer_.correct(sensors_.sample(), elapsed_);
     const PositioningPlan::Target target = settings_.plan.at(t);
     reference_.advance(target.position, target.rate, elapsed_);
     wanted_ = controller_.load(observer_, reference_, known);
     if (!wanted_.allFinite())
       throw SimulationError(
-          fmt::format("at {:g} s the wanted load of dynamic positioning left finite numbers; its "
-                      "bandwidth may be too high for the period of its sensors",
+          fmt::format("at {:g} s the load that dynamic positioning wants left finite numbers: the control diverges; "
+                      "allowed: a lower <control bandwidth>, or a shorter sensor_period or sensor_delay",
                       t));
     const AllocatedThrust allocated =
         allocation_.allocate(wanted_, thrusts(&DpChannels::thrust, &DpChannels::angle), elapsed_);
@@ -138,14 +148,24 @@ class Dp : public bodies::Module {
     }
     shortfall_ = allocated.shortfall;
     saturated_ = allocated.saturated ? 1 : 0;
+    const Vec3 in_G = plane_rotation(observer_.position().z()) * wanted_;
+    loss_.add(in_G.head<2>(), in_G.z(), kind_of(allocated), elapsed_);
     controller_.integrate(observer_, reference_, shortfall_, elapsed_);
     impulse_.setZero();
     elapsed_ = 0;
   }
 
+  Shortfall kind_of(const AllocatedThrust& allocated) const {
+    if (!allocated.saturated) return Shortfall::none;
+    const PlaneLoad& missing = allocated.shortfall;
+    const Vec2 scales = allocation_.scales();
+    const bool force = missing.head<2>().norm() / scales.x() >= std::abs(missing.z()) / scales.y();
+    return force ? Shortfall::force : Shortfall::moment;
+  }
+
   StationSample station(double t) {
     const Vec3 off = position_ - settings_.plan.at(t).position;
-    last_ = {off.head<2>().norm(), off.z(), 0, saturated_ != 0};
+    last_ = {off.head<2>().norm(), off.z(), 0, saturated_ != 0, shortfall_.head<2>().norm(), std::abs(shortfall_.z())};
     for (const ThrusterCommand& thrust : measured_thrusts()) last_.thrust_use += std::abs(thrust.thrust) / most_thrust_;
     return last_;
   }
@@ -159,6 +179,7 @@ class Dp : public bodies::Module {
   ReferenceFilter reference_;
   PositionController controller_;
   StationStatistics statistics_;
+  LossOfStation loss_;
   double most_thrust_ = 0;                               ///< sum of all limits [N]
   Vec3 position_;                                        ///< true position, heading continuous
   Vec3 acting_ = Vec3::Zero(), impulse_ = Vec3::Zero();  ///< load of the thrusters; its integral since the last sample
@@ -175,6 +196,7 @@ void Dp::save(const bodies::Bodies& /*bodies*/, StateWriter out) const {
   reference_.save(out.group("reference"));
   controller_.save(out.group("controller"));
   statistics_.save(out.group("statistics"));
+  loss_.save(out.group("loss"));
   out.add("position", position_);
   out.add("acting", acting_);
   out.add("impulse", impulse_);
@@ -191,6 +213,7 @@ void Dp::restore(const StateReader& in) {
   reference_.restore(in.group("reference"));
   controller_.restore(in.group("controller"));
   statistics_.restore(in.group("statistics"));
+  loss_.restore(in.group("loss"));
   in.get("position", position_);
   in.get("acting", acting_);
   in.get("impulse", impulse_);

@@ -49,7 +49,8 @@ Vec3 plane_velocity(const bodies::Bodies& bodies, int body);
 /// (of the observer's position), dp_wanted_fx_N, dp_wanted_fy_N, dp_wanted_mz_Nm, dp_shortfall_N, dp_shortfall_Nm and
 /// dp_outside_1, at the end of the step. Sums: station_statistics.h. The thrusters' channels must exist in `channels`.
 /// Throws InputError where the observer does not converge at the sensor period. end_substep() throws SimulationError
-/// where the vessel is further than `most_offset` from the reference, or a value is not finite.
+/// where the vessel is further than `most_offset` from the reference or half a turn from its heading, or where a value
+/// is not finite.
 std::unique_ptr<bodies::Module> make_dp(const DpSettings& settings, Allocation allocation,
                                         const std::shared_ptr<Channels>& channels);
 

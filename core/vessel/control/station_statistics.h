@@ -1,6 +1,7 @@
 #pragma once
 /// How well dynamic positioning keeps its station, over a window of time.
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -26,6 +27,7 @@ struct StationSample {
   double heading_error = 0;  ///< [rad]
   double thrust_use = 0;     ///< sum of all |thrust| over that of all limits
   bool saturated = false;
+  double force_shortfall = 0, moment_shortfall = 0;  ///< magnitudes of what the thrusters do not give [N, N m]
 };
 
 class StationStatistics {
@@ -45,10 +47,13 @@ class StationStatistics {
   void restore(const StateReader& in);
 
  private:
+  std::string saturation_text(double share) const;
+
   double from_, to_;
   std::optional<double> watch_circle_;
   double time_ = 0, offset_squared_ = 0, offset_max_ = 0, heading_squared_ = 0, heading_max_ = 0;
   double outside_time_ = 0, thrust_ = 0, saturated_time_ = 0;
+  double force_shortfall_ = 0, moment_shortfall_ = 0;  ///< greatest [N, N m]
   long alarms_ = 0;
   int outside_ = 0;
 };

@@ -66,6 +66,19 @@ void add_triangle(Eigen::Index k, const Thruster& thruster, numerics::QuadraticP
   }
 }
 
+/// Takes the thrusts out of low to high whose force would point into a forbidden sector, whatever the rates: those
+/// ahead at the angle itself, those astern opposite to it.
+void forbid(const Thruster& thruster, double angle, double& low, double& high) {
+  if (thruster.is_forbidden(angle)) {
+    low = std::min(low, 0.0);
+    high = std::min(high, 0.0);
+  }
+  if (thruster.is_forbidden(angle + k_pi)) {
+    low = std::max(low, 0.0);
+    high = std::max(high, 0.0);
+  }
+}
+
 VecX solution_of(const numerics::QuadraticProgram& program) {
   const numerics::QuadraticSolution solution = solve_quadratic_program(program);
   if (!solution.converged) throw SimulationError("the thrust allocation found no solution: " + solution.message);
@@ -192,12 +205,11 @@ numerics::QuadraticProgram Allocation::second_program(const PlaneLoad& wanted,
     program.H(n + k, n + k) = 2 * k_angle_weight;
     if (!now.works) continue;
     B.col(k) = in_shares(most * unit_load(i, now.angle, ahead));
-    if (!thruster.is_forbidden(now.angle)) {
-      double& low = program.lower[k] = std::clamp(now.thrust - thruster.rate * h, -thruster.most_astern, most) / most;
-      double& high = program.upper[k] = std::clamp(now.thrust + thruster.rate * h, -thruster.most_astern, most) / most;
-      if (rudder && ahead) low = std::max(low, std::min(high, 0.0));
-      if (rudder && !ahead) high = std::min(high, std::max(low, 0.0));
-    }
+    double& low = program.lower[k] = std::clamp(now.thrust - thruster.rate * h, -thruster.most_astern, most) / most;
+    double& high = program.upper[k] = std::clamp(now.thrust + thruster.rate * h, -thruster.most_astern, most) / most;
+    if (rudder && ahead) low = std::max(low, std::min(high, 0.0));
+    if (rudder && !ahead) high = std::min(high, std::max(low, 0.0));
+    forbid(thruster, now.angle, low, high);
     if (!thruster.turns()) continue;
     const double turn = std::min(thruster.turn_rate * h, k_pi);
     program.g[n + k] = -2 * k_angle_weight * wrapped(targets[i].angle - now.angle);

@@ -39,7 +39,7 @@ constexpr double k_saturated = 1e-3;
 ///      combinations are tried). Rates are left out. Its solution gives the wanted angles; those in forbidden sectors
 ///      move to the nearest edge.
 ///   2. Thrusts and turns about the present angles, to first order: B(a) T + B'(a) T_now da. Turns are limited by turn
-///      rates and cost q_a (da - wanted)^2. An azimuth within a forbidden sector gives no thrust.
+///      rates and cost q_a (da - wanted)^2. An azimuth gives no thrust whose force points into a forbidden sector.
 /// `given` is computed with the new angles, so the error of the first order appears in `shortfall`.
 class Allocation {
  public:

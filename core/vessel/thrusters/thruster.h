@@ -37,13 +37,14 @@ struct Thruster {
   double lag = 0;            ///< time constant of the thrust [s]
   double rate = std::numeric_limits<double>::infinity();       ///< largest rate of the thrust [N/s]
   double turn_rate = std::numeric_limits<double>::infinity();  ///< of an azimuth or a rudder [rad/s]
-  std::vector<std::pair<double, double>> forbidden;  ///< azimuth: sectors that must not take thrust, from, to [rad]
-  double power = 0;                                  ///< at most_ahead [W]
-  double loss = 0;                                   ///< share of the thrust lost to ventilation or ice, 0 to 1
-  std::optional<double> free_speed;                  ///< speed of advance without thrust at full power [m/s]
-  ThrustLoss loss_over_speed;                        ///< replaces free_speed
-  std::optional<double> fails_at;                    ///< from this time on it gives nothing [s]
-  Rudder rudder;                                     ///< propeller_rudder only
+  /// Azimuth: sectors into which its force must not point, from, to [rad]; they do not overlap.
+  std::vector<std::pair<double, double>> forbidden;
+  double power = 0;                  ///< at most_ahead [W]
+  double loss = 0;                   ///< share of the thrust lost to ventilation or ice, 0 to 1
+  std::optional<double> free_speed;  ///< speed of advance without thrust at full power [m/s]
+  ThrustLoss loss_over_speed;        ///< replaces free_speed
+  std::optional<double> fails_at;    ///< from this time on it gives nothing [s]
+  Rudder rudder;                     ///< propeller_rudder only
 
   bool turns() const { return kind == ThrusterKind::azimuth || kind == ThrusterKind::propeller_rudder; }
   bool works(double t) const { return !fails_at || t < *fails_at; }
@@ -53,7 +54,7 @@ struct Thruster {
   double saturation(double thrust) const;
   /// P = power (|thrust| / most_ahead)^1.5 [W], as the law of propellers n^3 against n^2.
   double power_at(double thrust) const;
-  /// Whether an azimuth's angle lies in a forbidden sector, edges excluded.
+  /// Whether this direction of an azimuth's force lies in a forbidden sector, edges excluded.
   bool is_forbidden(double angle) const;
   /// The nearest angle outside of all forbidden sectors.
   double allowed_angle(double angle) const;

@@ -16,6 +16,9 @@ std::string works_channel(const Thruster& thruster) { return thruster.name + ".w
 
 namespace {
 
+/// Share of its limit from which a thruster is asked for all that it gives.
+constexpr double k_at_limit = 0.999;
+
 /// Indices of a thruster's channels; -1 where it does not turn.
 struct ThrusterChannels {
   int thrust = -1, angle = -1, actual_thrust = -1, actual_angle = -1, works = -1;
@@ -24,18 +27,22 @@ struct ThrusterChannels {
 class ThrusterModule : public bodies::ForceModule {
  public:
   ThrusterModule(const ThrusterSettings& settings, std::shared_ptr<Channels> channels)
-      : settings_(settings), channels_(std::move(channels)), states_(settings.thrusters.size()) {
+      : settings_(settings),
+        channels_(std::move(channels)),
+        states_(settings.thrusters.size()),
+        now_(settings.start),
+        at_limit_(states_.size()) {
     NILAS_DEMAND(settings_.commands.size() == states_.size());
     for (std::size_t k = 0; k < states_.size(); ++k) {
       const Thruster& thruster = settings_.thrusters[k];
       const ThrusterState& command = settings_.commands[k];
       ThrusterChannels added;
       added.thrust = channels_->add(thrust_channel(thruster), "N", command.thrust);
-      added.actual_thrust = channels_->add(actual_thrust_channel(thruster), "N", 0);
-      added.works = channels_->add(works_channel(thruster), "", thruster.works(settings_.start) ? 1 : 0);
+      added.actual_thrust = channels_->add_measured(actual_thrust_channel(thruster), "N", 0);
+      added.works = channels_->add_measured(works_channel(thruster), "", thruster.works(settings_.start) ? 1 : 0);
       if (thruster.turns()) {
         added.angle = channels_->add(angle_channel(thruster), "rad", command.angle);
-        added.actual_angle = channels_->add(actual_angle_channel(thruster), "rad", command.angle);
+        added.actual_angle = channels_->add_measured(actual_angle_channel(thruster), "rad", command.angle);
         states_[k].angle = command.angle;
       }
       indices_.push_back(added);
@@ -55,7 +62,7 @@ class ThrusterModule : public bodies::ForceModule {
   std::vector<bodies::DrawnLine> drawn(const bodies::Bodies& bodies) const override {
     std::vector<bodies::DrawnLine> lines;
     for (std::size_t k = 0; k < states_.size(); ++k) {
-      const PointForce at = force_of(k, bodies, time_);
+      const PointForce at = force_of(k, bodies, now_);
       bodies::add_arrow(bodies::DrawnLine::Kind::thruster, settings_.thrusters[k].name,
                         bodies.p_GB[settings_.hull] + at.arm, at.force, lines);
     }
@@ -64,10 +71,12 @@ class ThrusterModule : public bodies::ForceModule {
 
   void end_substep(const bodies::Bodies& /*bodies*/, double t, double h) override {
     energy_ += h * power();
-    time_ = t;
+    now_ = t;
+    time_ += h;
     for (std::size_t k = 0; k < states_.size(); ++k) {
       const Thruster& thruster = settings_.thrusters[k];
       const ThrusterChannels& at = indices_[k];
+      if (thruster.works(t) && thruster.saturation((*channels_)[at.thrust]) >= k_at_limit) at_limit_[k] += h;
       const double angle = at.angle < 0 ? 0 : (*channels_)[at.angle];
       states_[k] = advanced(thruster, states_[k], (*channels_)[at.thrust], angle, t - h, h);
       channels_->set(at.actual_thrust, states_[k].thrust);
@@ -100,7 +109,17 @@ class ThrusterModule : public bodies::ForceModule {
     return name == k_thruster_energy ? std::optional(energy_) : std::nullopt;
   }
   std::vector<bodies::RunFigure> figures() const override {
-    return {{"energy_J", energy_, "thrusters took", fmt::format("{:.4g} J", energy_)}};
+    std::vector<bodies::RunFigure> all{{"energy_J", energy_, "thrusters took", fmt::format("{:.4g} J", energy_)}};
+    constexpr double k_percent = 100;
+    std::string seen;
+    for (std::size_t k = 0; k < states_.size(); ++k) {
+      const std::string& name = settings_.thrusters[k].name;
+      const double share = time_ > 0 ? at_limit_[k] / time_ : 0;
+      all.push_back({"at_limit_" + name + "_1", share, "", ""});
+      if (share > 0) seen += fmt::format("{}{} {:.3g} %", seen.empty() ? "" : ", ", name, k_percent * share);
+    }
+    all.push_back({"time_s", time_, "thrusters at limit", seen.empty() ? "none at any time" : seen + " of the time"});
+    return all;
   }
 
   void save(const bodies::Bodies& /*bodies*/, StateWriter out) const override {
@@ -112,12 +131,18 @@ class ThrusterModule : public bodies::ForceModule {
     out.add("thrusts", thrusts);
     out.add("angles", angles);
     out.add("energy", energy_);
+    out.add("now", now_);
+    out.add("time", time_);
+    out.add("at_limit", at_limit_);
   }
   void restore(const StateReader& in) override {
     std::vector<double> thrusts, angles;
     in.get("thrusts", thrusts, states_.size());
     in.get("angles", angles, states_.size());
     in.get("energy", energy_);
+    in.get("now", now_);
+    in.get("time", time_);
+    in.get("at_limit", at_limit_, states_.size());
     for (std::size_t k = 0; k < states_.size(); ++k) states_[k] = {thrusts[k], angles[k]};
   }
 
@@ -147,8 +172,10 @@ class ThrusterModule : public bodies::ForceModule {
   std::shared_ptr<Channels> channels_;
   std::vector<ThrusterState> states_;
   std::vector<ThrusterChannels> indices_;
-  double energy_ = 0;  ///< taken since the start [J]
-  double time_ = 0;    ///< end of the last substep, for pictures [s]
+  double energy_ = 0;             ///< taken since the start [J]
+  double now_ = 0;                ///< end of the last substep, for pictures [s]
+  double time_ = 0;               ///< since the start [s]
+  std::vector<double> at_limit_;  ///< time in which the command was at the limit [s]
 };
 
 }  // namespace

@@ -34,7 +34,8 @@ struct ThrusterSettings {
 /// The module `thruster`. Each thruster exerts thruster_force() at its point, in the x-y plane of the vessel's own
 /// axes, by its thrust at the start of the substep. At the substep's end it follows its commands by advanced(). Adds
 /// its channels to `channels`, which it keeps. Columns: thruster_<name>_N (without losses), thruster_<name>_deg where
-/// it turns, thruster_<name>_saturation_1 and thruster_power_W, at the end of the step.
+/// it turns, thruster_<name>_saturation_1 and thruster_power_W, at the end of the step. Figures: energy_J, and
+/// at_limit_<name>_1, the share of the time time_s in which a thruster that works was asked for all that it gives.
 std::unique_ptr<bodies::ForceModule> make_thrusters(const ThrusterSettings& settings,
                                                     const std::shared_ptr<Channels>& channels);
 

@@ -141,6 +141,15 @@ TEST(Thrusters, WrongOnesAreRefusedWithTheirPlace) {
       {"<thruster name='a' kind='azimuth' at='0 0 0' max_thrust='1' power='1' forbidden_deg='1 2 3'/>",
        place + "forbidden_deg>",
        {"3 numbers", "pairs"}},
+      {"<thruster name='a' kind='azimuth' at='0 0 0' max_thrust='1' power='1' forbidden_deg='10 30 20 50'/>",
+       place + "forbidden_deg>",
+       {"'10 30' and '20 50'", "overlap"}},
+      {"<thruster name='a' kind='azimuth' at='0 0 0' max_thrust='1' power='1' forbidden_deg='0 10 170 -170 175 178'/>",
+       place + "forbidden_deg>",
+       {"'170 -170' and '175 178'", "overlap"}},
+      {"<thruster name='a' kind='azimuth' at='0 0 0' max_thrust='1' power='1' forbidden_deg='-180 180'/>",
+       place + "forbidden_deg>",
+       {"'-180 180'", "without width or a whole turn"}},
       {"<thruster name='a' kind='tunnel' at='0 0 0' max_thrust='1' power='1' free_speed='3' loss_table='loss.csv'/>",
        place + "loss_table>",
        {"one of them"}},
@@ -172,6 +181,18 @@ TEST(Thrusters, PositioningNeedsSurgeSwayAndYaw) {
   // One tunnel and one propeller on the centre line: sway always comes with the same yaw.
   expect_fault(folder.faults(fitted(main + k_bow, dp)), 3, at, {"no thruster gives yaw"});
   expect_fault(folder.faults(vessel("\n" + dp)), 3, "<vessel><control mode>", {"needs <thrusters>"});
+}
+
+TEST(Thrusters, SamplesOfPositioningTakeAtLeastAStep) {
+  const SceneFolder folder;
+  const auto faults = [&](const std::string& period, const std::string& time) {
+    std::string text = fitted(k_bow + k_aft, "<control mode='dp' sensor_period='" + period + "'/>");
+    return folder.faults(text.replace(text.find("<vessel>"), 0, time));
+  };
+  const std::string at = "<vessel><control sensor_period>";
+  expect_fault(faults("0.005", ""), 5, at, {"0.005", "shorter than the time step", "at least 0.01 [s]"});
+  EXPECT_TRUE(faults("0.01", "").empty());
+  expect_fault(faults("0.3", "<time step='0.5'/>"), 5, at, {"at least 0.5 [s]"});
 }
 
 TEST(Thrusters, PositioningTakesAPathOrASetPoint) {

@@ -5,6 +5,7 @@
 #include "core/base/error.h"
 #include "core/vessel/control/station_statistics.h"
 #include "core/vessel/thrusters/thruster_module.h"
+#include "tests/core/vessel/thrusters/example_thrusters.h"
 #include "tests/support/refusal.h"
 #include "tests/support/scratch_folder.h"
 
@@ -14,17 +15,6 @@ using namespace nilas;
 using vessel::Thruster;
 
 constexpr double k_step = 0.1;  // [s]
-
-Thruster thruster(const std::string& name, ThrusterKind kind, double x, double y, double most, double power) {
-  Thruster t;
-  t.name = name;
-  t.kind = kind;
-  t.at_V = {x, y, 0};
-  t.most_ahead = t.most_astern = most;
-  t.power = power;
-  t.lag = 1;
-  return t;
-}
 
 /// A ship of 6000 t in still water, without heave, roll and pitch: linear damping and a load of the surroundings.
 struct Rig {
@@ -55,12 +45,8 @@ struct Rig {
     settings.watch_circle = 5;
     settings.most_offset = 76;
     settings.window = {0, 1e9};
-    std::vector<Thruster> all{thruster("bow1", ThrusterKind::tunnel, 30, 0, 2e5, 1.5e6),
-                              thruster("bow2", ThrusterKind::tunnel, 22, 0, 2e5, 1.5e6),
-                              thruster("stern1", ThrusterKind::tunnel, -22, 0, 2e5, 1.5e6),
-                              thruster("stern2", ThrusterKind::tunnel, -30, 0, 2e5, 1.5e6),
-                              thruster("port", ThrusterKind::propeller, -35, 8, 7.99e5, 5e6),
-                              thruster("starboard", ThrusterKind::propeller, -35, -8, 7.99e5, 5e6)};
+    std::vector<Thruster> all = test::supply_thrusters();
+    for (Thruster& t : all) t.lag = 1;
     if (change) change(settings, all);
     vessel::ThrusterSettings fitted;
     fitted.thrusters = all;
@@ -133,12 +119,14 @@ TEST(Dp, HoldsItsStationAfterABlackout) {
   EXPECT_LT(rig.sum(vessel::k_dp_offset_rms), 0.15);
 }
 
-// 1000 kN are more than the tunnels give: the vessel is driven off, and the run ends where it has lost 20 m.
+// 1000 kN are more than the tunnels give: the vessel is driven off, and the run ends where it has lost 20 m. The
+// control wants a force against the load all the time.
 TEST(Dp, EndsTheRunWhereItHasLostTheVessel) {
   Rig rig([](vessel::DpSettings& dp, std::vector<Thruster>&) { dp.most_offset = 20; });
   rig.load = across(1e6);
   test::expect_refusal<SimulationError>([&] { rig.run(600); },
-                                        {"at ", " s dynamic positioning has lost the vessel", "20", "most_offset"});
+                                        {"at ", " s dynamic positioning has lost the vessel", "20", "most_offset",
+                                         "the force that was wanted then pointed one way", "stronger thrusters"});
   EXPECT_GT(rig.bodies.p_GB[0].y(), 19);
 }
 
@@ -151,7 +139,50 @@ TEST(Dp, ADivergingControllerIsAnError) {
     dp.most_offset = 10;
   });
   rig.load = across(1.5e5);
-  test::expect_refusal<SimulationError>([&] { rig.run(5000); }, {"has lost the vessel"});
+  test::expect_refusal<SimulationError>(
+      [&] { rig.run(5000); },
+      {"has lost the vessel", "swung to and fro: the control diverges", "a lower <control bandwidth>", "sensor_delay"});
+}
+
+// The same within the default most_offset goes on swinging, as far as the thrusters push. The report says so; that of a
+// well tuned control does not.
+TEST(Dp, AControlThatSwingsIsReported) {
+  const auto report = [](double bandwidth, double delay) {
+    Rig rig([&](vessel::DpSettings& dp, std::vector<Thruster>&) {
+      dp.controller.bandwidth.setConstant(bandwidth);
+      dp.sensors.delay = delay;
+      dp.most_offset = 1e3;
+    });
+    rig.load = across(1e5);
+    rig.run(600);
+    return rig.dp->figures().back();
+  };
+  const bodies::RunFigure swinging = report(0.5, 6), tuned = report(0.1, 0.5);
+  EXPECT_EQ(swinging.name, "swings_1");
+  EXPECT_EQ(swinging.value, 1);
+  EXPECT_NE(swinging.text.find("swung to and fro: the control diverges"), std::string::npos) << swinging.text;
+  EXPECT_EQ(tuned.value, 0);
+  EXPECT_TRUE(tuned.label.empty());
+}
+
+// A moment of 60 MN m is more than the tunnels give. Far from its centre nothing moves the vessel, which turns in
+// place.
+TEST(Dp, EndsTheRunWhereTheVesselTurnsAway) {
+  Rig rig;
+  rig.load = across(0, 6e7);
+  test::expect_refusal<SimulationError>([&] { rig.run(600); },
+                                        {"within the most_offset of 76 m", "180 deg from the heading of its reference",
+                                         "the moment that was wanted then pointed one way"});
+}
+
+// A damping that the vessel does not have makes K_d = 2 zeta w M - D negative: the motion grows by itself.
+TEST(Dp, AWrongDampingDiverges) {
+  Rig rig([](vessel::DpSettings& dp, std::vector<Thruster>&) {
+    dp.controller.damping = {2e6, 2e6, 0};
+    dp.most_offset = 10;
+  });
+  rig.load = across(1e4);
+  test::expect_refusal<SimulationError>([&] { rig.run(5000); }, {"has lost the vessel", "damping"});
 }
 
 TEST(Dp, RefusesAnObserverThatDoesNotConverge) {
@@ -188,13 +219,24 @@ TEST(Dp, PathWhoseTimesDoNotRiseIsRefused) {
   test::expect_refusal([&] { vessel::PositioningPlan::path(file.string(), 0); }, {"path.csv:3", "t_s must grow"});
 }
 
-// The delay arrives as whole samples, and noise of a sample does not depend on what was drawn before.
-TEST(Dp, SensorsDelayTheirSamples) {
-  vessel::PositionSensors sensors({.period = 0.5, .delay = 1, .position_noise = 0, .heading_noise = 0, .seed = 1},
-                                  Vec3(-1, 0, 0));
-  EXPECT_EQ(sensors.sample(Vec3(1, 0, 0)).x(), -1);
-  EXPECT_EQ(sensors.sample(Vec3(2, 0, 0)).x(), -1);
-  EXPECT_EQ(sensors.sample(Vec3(3, 0, 0)).x(), 1);
+// A sample is 0.7 s old, whatever the steps between which its time lies. Until the first is old enough the position at
+// the start arrives. Without delay the present position arrives as it is.
+TEST(Dp, SensorsDelayTheirSamplesByTheirDelay) {
+  vessel::SensorSettings settings{.period = 0.5, .delay = 0.7, .position_noise = 0, .heading_noise = 0, .seed = 1};
+  vessel::PositionSensors sensors(settings, 3, Vec3(-1, 0, 0));
+  EXPECT_EQ(sensors.sample().x(), -1);
+  sensors.note(3.5, Vec3(1, 0, 0));
+  EXPECT_EQ(sensors.sample().x(), -1);
+  sensors.note(4, Vec3(2, 0, 0));
+  EXPECT_NEAR(sensors.sample().x(), -1 + 0.3 / 0.5 * 2, 1e-12);
+  for (const double t : {4.1, 4.3, 4.4, 4.6}) sensors.note(t, Vec3(t, 0, 1));
+  EXPECT_NEAR(sensors.sample().x(), 1 + 0.4 / 0.5, 1e-12) << "at 3.9 s";
+  sensors.note(9, Vec3(9, 0, 2));
+  EXPECT_NEAR(sensors.sample().x(), 8.3, 1e-12);
+  settings.delay = 0;
+  vessel::PositionSensors prompt(settings, 0, Vec3::Zero());
+  prompt.note(1, Vec3(0.1, 0.2, 0.3));
+  EXPECT_EQ(prompt.sample(), Vec3(0.1, 0.2, 0.3));
 }
 
 TEST(Dp, ContinuesWithTheSameBits) {

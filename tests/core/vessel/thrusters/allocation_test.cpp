@@ -4,34 +4,17 @@
 
 #include "core/base/error.h"
 #include "core/base/random.h"
+#include "tests/core/vessel/thrusters/example_thrusters.h"
 
 namespace allocation_test {
 
 using namespace nilas;
+using test::supply_thrusters;
+using test::thruster;
 using vessel::Allocation;
 using vessel::PlaneLoad;
 using vessel::Thruster;
 using vessel::ThrusterCommand;
-
-Thruster thruster(const std::string& name, ThrusterKind kind, double x, double y, double most, double power) {
-  Thruster t;
-  t.name = name;
-  t.kind = kind;
-  t.at_V = {x, y, 0};
-  t.most_ahead = t.most_astern = most;
-  t.power = power;
-  return t;
-}
-
-/// The reference vessel of Fossen's toolbox (76.2 m, 6000 t): four tunnels of 200 kN and two propellers of 799 kN.
-std::vector<Thruster> supply_vessel() {
-  std::vector<Thruster> all;
-  for (const double x : {30.0, 22.0, -22.0, -30.0})
-    all.push_back(thruster("t" + std::to_string(all.size()), ThrusterKind::tunnel, x, 0, 2e5, 1.5e6));
-  all.push_back(thruster("port", ThrusterKind::propeller, -35, 8, 7.99e5, 5e6));
-  all.push_back(thruster("starboard", ThrusterKind::propeller, -35, -8, 7.99e5, 5e6));
-  return all;
-}
 
 std::vector<ThrusterCommand> at_rest(const Allocation& allocation) {
   return std::vector<ThrusterCommand>(allocation.thrusters().size());
@@ -40,7 +23,7 @@ std::vector<ThrusterCommand> at_rest(const Allocation& allocation) {
 // Without active limits the least sum w T^2 with B T = tau is T = W^-1 B^T (B W^-1 B^T)^-1 tau. The heavy weight on the
 // shortfall leaves a difference of about a millionth.
 TEST(Allocation, IsTheWeightedPseudoInverseWithinTheLimits) {
-  const Allocation allocation(supply_vessel(), Vec3::Zero());
+  const Allocation allocation(supply_thrusters(), Vec3::Zero());
   const std::size_t n = allocation.thrusters().size();
   MatX B(3, n), inverse = MatX::Zero(n, n);
   for (std::size_t k = 0; k < n; ++k) {
@@ -91,7 +74,7 @@ TEST(Allocation, FindsTheLeastCostOfAGridWhereLimitsAreActive) {
 }
 
 TEST(Allocation, KeepsToRatesAndReportsTheShortfall) {
-  auto all = supply_vessel();
+  auto all = supply_thrusters();
   for (Thruster& t : all) t.rate = 1e4;
   const Allocation allocation(all, Vec3::Zero());
   const auto found = allocation.allocate({0, 6e5, 0}, at_rest(allocation), 2);
@@ -101,7 +84,7 @@ TEST(Allocation, KeepsToRatesAndReportsTheShortfall) {
 }
 
 TEST(Allocation, LeavesOutWhatDoesNotWork) {
-  const Allocation allocation(supply_vessel(), Vec3::Zero());
+  const Allocation allocation(supply_thrusters(), Vec3::Zero());
   auto present = at_rest(allocation);
   present[0].works = false;
   present[0].thrust = 1e5;
@@ -181,6 +164,23 @@ TEST(Allocation, GivesNoThrustFromAForbiddenSector) {
           << angle << ", one turn beyond the edge at most";
     }
   }
+}
+
+// Azimuths that point to starboard would push to port by going astern: that force lies in the forbidden sector too.
+TEST(Allocation, ForbidsTheDirectionOfTheForceAstern) {
+  std::vector<Thruster> all = azimuths(12 * k_deg).thrusters();
+  for (Thruster& t : all)
+    if (t.turns()) t.forbidden = {{60 * k_deg, 120 * k_deg}};
+  const Allocation allocation(all, Vec3::Zero());
+  auto present = at_rest(allocation);
+  for (ThrusterCommand& command : present) command.angle = -90 * k_deg;
+  const auto first = allocation.allocate({0, 2.1e5, 0}, present, 0.1);
+  for (std::size_t i = 1; i < 3; ++i) EXPECT_GE(first.commands[i].thrust, -1e-6) << "no force to port from astern";
+  const auto away = allocation.allocate({0, -2.1e5, 0}, present, 0.1);
+  EXPECT_GT(away.commands[1].thrust, 1e4) << "a force to starboard is allowed";
+  for (ThrusterCommand& command : present) command.angle = 90 * k_deg;
+  const auto astern = allocation.allocate({0, -2.1e5, 0}, present, 0.1);
+  EXPECT_LT(astern.commands[1].thrust, -1e4) << "and so it is by going astern";
 }
 
 Allocation with_rudders() {
