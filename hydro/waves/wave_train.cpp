@@ -51,7 +51,7 @@ double IceCover::energy_rate(double period) const {
       return rate;
     case WaveAttenuation::meylan: {
       const double square = 1 / (period * period);
-      return k_a * square + k_b * square * square;
+      return k_a * square + scale * k_b * square * square;
     }
   }
   return 0;

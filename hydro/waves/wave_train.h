@@ -23,8 +23,10 @@ struct IceCover {
   double rate = 0;              ///< alpha of model exponential [1/m]
   Vec2 edge = Vec2::Zero();     ///< a point of the straight ice edge, frame G [m]
   Vec2 inward = Vec2::UnitX();  ///< unit vector across the edge, into the ice
+  double scale = 1;             ///< lengths of the waters over those for which model meylan was measured [-]
 
-  /// alpha [1/m] for waves of this period [s].
+  /// alpha [1/m] for waves of this period [s]. At another scale that of model meylan is the measured one of the waves
+  /// of full scale, by Froude's law: alpha(T, scale) = alpha(T / sqrt(scale), 1) / scale.
   double energy_rate(double period) const;
   /// d of a point [m], 0 in front of the edge.
   double distance(const Vec2& point) const { return std::max(0.0, (point - edge).dot(inward)); }

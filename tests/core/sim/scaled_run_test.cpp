@@ -137,6 +137,20 @@ TEST_F(ScaledRun, HasTheSameBitsInIceThatBreaks) {
   EXPECT_GT(model_->bodies().size(), 2) << "the sheet has broken";
 }
 
+/// Random waves that ice weakens by the measured rates of Meylan et al., there and back.
+TEST_F(ScaledRun, HasTheSameBitsInWavesUnderIce) {
+  const std::string water =
+      "<water density='1005'><waves kind='jonswap' height='0.05' period='2' components='12' attenuation='meylan' "
+      "ice_edge='5 0'/></water>";
+  std::string text = towed_scene(k_floes, "", contact_of("nsgs"));
+  const std::string calm = "<water density='1005'/><hydro>";
+  text.replace(text.find(calm), calm.size(), water + "<hydro><wave_loads vessel='none'/>");
+  for (const double lambda : {16.0, 1.0 / 16}) {
+    build(text, lambda);
+    EXPECT_GT(expect_same_steps(40, lambda), 0) << lambda;
+  }
+}
+
 /// Hull folders are files; their lengths are scaled on reading.
 TEST_F(ScaledRun, ScalesFiles) {
   folder_.write("path.csv", "t_s,x_m,y_m,yaw_deg\n0,0,0,0\n0.1,0.05,0,0\n2,1.5,0.1,2\n");

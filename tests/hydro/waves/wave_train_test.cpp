@@ -151,6 +151,19 @@ TEST(WaveTrain, RatesUnderIceAreThoseOfTheModels) {
   EXPECT_NEAR(ice.energy_rate(10), 2.579e-5, 1e-12);
 }
 
+/// Froude's law: over like distances waves of like periods lose the same share, at 1:40 and 16:1 of the measured
+/// waters.
+TEST(WaveTrain, RatesUnderIceFollowTheScale) {
+  IceCover measured;
+  measured.model = WaveAttenuation::meylan;
+  for (const double scale : {1.0 / 40, 1.0 / 16, 16.0}) {
+    IceCover scaled = measured;
+    scaled.scale = scale;
+    for (const double period : {0.5, 3.0, 10.0})
+      EXPECT_NEAR(scale * scaled.energy_rate(std::sqrt(scale) * period) / measured.energy_rate(period), 1, 1e-14);
+  }
+}
+
 TEST(WaveTrain, RefusesASpectrumWithoutItsPeak) {
   WaveTrain train = sea(WaveKind::jonswap, 10);
   train.shortest_period = 8;
