@@ -68,10 +68,12 @@ class Restoring : public bodies::ForceModule {
 
 }  // namespace
 
-Mat6 restoring_with_weight_at(const Database& database, double weight, const Vec3& com_D) {
-  Mat6 restoring = database.restoring.value();
+Mat6 restoring_with_weight_at(const Database& database, double specific_weight, double weight, const Vec3& com_D) {
+  // Hydrostatics are volumes, areas and their moments times the specific weight.
+  const double ratio = specific_weight / (database.density * database.gravity);
+  Mat6 restoring = ratio * database.restoring.value();
   if (!database.centre_of_gravity) return restoring;
-  const double own = database.volume ? database.density * database.gravity * *database.volume : weight;
+  const double own = database.volume ? specific_weight * *database.volume : weight;
   const double change = own * database.centre_of_gravity->z() - weight * com_D.z();
   restoring(3, 3) += change;
   restoring(4, 4) += change;

@@ -20,8 +20,10 @@ struct RestoredHull {
 
 /// The hydrostatic stiffness of a database, which must have one, for a vessel of this weight [N] whose centre of mass
 /// lies at `com_D` in frame D: the weight's part -m g z_g in roll and pitch is replaced. A database that does not state
-/// its centre of gravity is taken to have been computed with that of the vessel.
-Mat6 restoring_with_weight_at(const Database& database, double weight, const Vec3& com_D);
+/// its centre of gravity is taken to have been computed with that of the vessel. The part of the water is taken times
+/// `specific_weight`, density times gravity of the water around the vessel [N/m^3], over that of the database, so that
+/// lift and stiffness are those of one water.
+Mat6 restoring_with_weight_at(const Database& database, double specific_weight, double weight, const Vec3& com_D);
 
 /// The hydrostatic load of a hull that heaves, rolls and pitches a little about the place at which the plane z = 0 of D
 /// is the still water. It derives from the potential

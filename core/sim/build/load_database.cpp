@@ -57,8 +57,9 @@ void compare(const scene::Scene& scene, const WorldParts& parts, VesselDatabase&
   if (std::abs(off) > k_density)
     database.doubts.push_back(
         fmt::format("The database was computed for a density of {:g} kg/m^3, but the water of the scene has {:g} "
-                    "kg/m^3. Its loads are those of its own density.",
-                    values.density, density));
+                    "kg/m^3. Its loads are those of its own density{}.",
+                    values.density, density,
+                    scene.hydro->restoring ? ", but its hydrostatics are those of the scene's water" : ""));
   if (parts.water->gravity > 0 && std::abs(values.gravity / parts.water->gravity - 1) > k_density)
     database.doubts.push_back(
         fmt::format("The database was computed for a gravity of {:g} m/s^2, but the scene has "

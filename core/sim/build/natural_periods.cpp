@@ -33,8 +33,9 @@ Mat6 water_stiffness(const scene::Scene& scene, const WorldParts& parts) {
     const Vec3 com = parts.vessel_model->mass.com;
     const hydro::Database& database = *parts.database->values;
     const Pose& in_V = parts.database->in_V;
-    const Mat6 restoring = hydro::restoring_with_weight_at(
-        database, parts.vessel_model->mass.mass * parts.water->gravity, in_V.q.conjugate() * (com - in_V.p));
+    const Mat6 restoring = hydro::restoring_with_weight_at(database, parts.water->density * parts.water->gravity,
+                                                           parts.vessel_model->mass.mass * parts.water->gravity,
+                                                           in_V.q.conjugate() * (com - in_V.p));
     return bodies::turned(parts.database->about(restoring, com), parts.bodies.R_GB[parts.vessel_index]);
   }
   if (!parts.water || !scene.hydro || !scene.hydro->buoyancy) return K;

@@ -105,11 +105,34 @@ TEST(Restoring, ReplacesTheWeightOfTheFile) {
   database.volume = 2;
   database.centre_of_gravity = Vec3(0, 0, -0.5);
   database.restoring = Mat6::Identity() * 1e4;
-  const Mat6 moved = restoring_with_weight_at(database, 2500 * k_gravity, Vec3(0, 0, 0.2));
+  const Mat6 moved = restoring_with_weight_at(database, 1000 * k_gravity, 2500 * k_gravity, Vec3(0, 0, 0.2));
   EXPECT_NEAR(moved(3, 3), 1e4 + 2000 * k_gravity * -0.5 - 2500 * k_gravity * 0.2, 1e-9);
   EXPECT_EQ(moved(2, 2), 1e4);
   database.centre_of_gravity.reset();
-  EXPECT_EQ(restoring_with_weight_at(database, 2500 * k_gravity, Vec3(0, 0, 0.2)), *database.restoring);
+  EXPECT_EQ(restoring_with_weight_at(database, 1000 * k_gravity, 2500 * k_gravity, Vec3(0, 0, 0.2)),
+            *database.restoring);
+}
+
+/// A vertical cylinder of radius 2 m and draught 3 m from a file for fresh water, in the sea. Its stiffness is rho g A
+/// in heave and rho g (I + V z_b) - m g z_g in roll, with I = pi R^4 / 4 and z_b = -T/2, by the density of the sea.
+TEST(Restoring, IsThatOfTheWaterOfTheScene) {
+  constexpr double k_radius = 2, k_draught = 3, k_fresh = 1000, k_sea = 1025, k_centre = -1;
+  const double area = k_pi * k_radius * k_radius, second = area * k_radius * k_radius / 4, volume = area * k_draught;
+  Database database;
+  database.density = k_fresh;
+  database.gravity = 9.80665;
+  database.volume = volume;
+  database.centre_of_gravity = Vec3(0, 0, k_centre);
+  const auto roll = [&](double density, double gravity) {
+    return density * gravity * (second - volume * k_draught / 2 - volume * k_centre);
+  };
+  database.restoring.emplace(Mat6::Zero());
+  (*database.restoring)(2, 2) = k_fresh * database.gravity * area;
+  (*database.restoring)(3, 3) = roll(k_fresh, database.gravity);
+  const double specific = k_sea * k_gravity;
+  const Mat6 found = restoring_with_weight_at(database, specific, specific * volume, Vec3(0, 0, k_centre));
+  EXPECT_NEAR(found(2, 2), specific * area, 1e-9 * specific * area);
+  EXPECT_NEAR(found(3, 3), roll(k_sea, k_gravity), 1e-9 * specific * second);
 }
 
 }  // namespace restoring_test

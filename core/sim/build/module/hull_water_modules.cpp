@@ -23,9 +23,10 @@ BuiltModule restoring(const ModuleSources& from) {
   hull.gravity = parts.water->gravity;
   hull.level = parts.water->level;
   const Vec3 com = -(hull.D_in_B.q.conjugate() * hull.D_in_B.p);
-  hull.lift = database.volume ? parts.water->density * hull.gravity * *database.volume : hull.mass * hull.gravity;
+  const double specific_weight = parts.water->density * hull.gravity;
+  hull.lift = database.volume ? specific_weight * *database.volume : hull.mass * hull.gravity;
   hull.lift_centre = database.centre_of_buoyancy.value_or(com).head<2>();
-  const Mat6 stiffness = hydro::restoring_with_weight_at(database, hull.mass * hull.gravity, com);
+  const Mat6 stiffness = hydro::restoring_with_weight_at(database, specific_weight, hull.mass * hull.gravity, com);
   return {hydro::make_restoring(hull, stiffness), "<hydro><restoring>"};
 }
 
