@@ -2,6 +2,7 @@
 /// Linear hydrostatics of the vessel from a hydrodynamic database.
 #include <memory>
 
+#include "core/base/log.h"
 #include "core/bodies/module.h"
 #include "hydro/database/database.h"
 
@@ -34,5 +35,13 @@ Mat6 restoring_with_weight_at(const Database& database, double specific_weight, 
 /// little above or below. The load acts at the attitude of the vessel and has no part in surge, sway and yaw.
 /// `restoring`: 6 x 6 about the origin of D, with the weight of the vessel at its centre of mass [N/m, N, N m].
 std::unique_ptr<bodies::ForceModule> make_restoring(const RestoredHull& hull, const Mat6& restoring);
+
+/// Up to this angle from the upright the loads of a database are those of small angles within some per cent [rad]:
+/// sine and tangent of 20 degrees differ from the angle by 2 and 4 %.
+inline constexpr double k_small_tilt = 20 * k_deg;
+
+/// Makes the module `database_tilt`, which exerts no loads. It warns once in a run, with time and angle, where the
+/// vertical axis of the hull first leans over by more than k_small_tilt. `warnings` must outlive it.
+std::unique_ptr<bodies::Module> make_tilt_watch(int hull, WarningCounts& warnings);
 
 }  // namespace nilas::hydro

@@ -105,6 +105,7 @@ const ModuleList& scene_modules() {
       {"added_mass", true, added_mass},
       {"radiation", true, radiation},
       {"wave_loads", true, wave_loads},
+      {"database_tilt", false, database_tilt},
       {"wind", true, wind},
       {"mooring", true, mooring},
       // Ice that breaks.

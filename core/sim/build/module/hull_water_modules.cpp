@@ -30,6 +30,15 @@ BuiltModule restoring(const ModuleSources& from) {
   return {hydro::make_restoring(hull, stiffness), "<hydro><restoring>"};
 }
 
+BuiltModule database_tilt(const ModuleSources& from) {
+  const auto& given = from.scene.hydro;
+  if (!given || !given->database) return {};
+  const bool of_waves = given->wave_loads && (given->wave_loads->vessel == VesselWaveLoads::database ||
+                                              given->wave_loads->diffraction == VesselDiffraction::database);
+  if (!given->restoring && !given->radiation && !of_waves) return {};
+  return {hydro::make_tilt_watch(from.parts.vessel_index, from.warnings), "loads of <hydro><database>"};
+}
+
 /// Added mass of the hull about its centre of mass; nothing where the scene asks for none.
 static std::optional<Mat6> vessel_added_mass(const ModuleSources& from, const scene::AddedMassScene& added) {
   if (added.vessel == VesselAddedMass::none) return std::nullopt;

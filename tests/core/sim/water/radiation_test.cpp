@@ -171,6 +171,37 @@ TEST(Radiation, ContinuesWithTheSameBits) {
   }
 }
 
+/// Linear loads hold for small angles. A sphere that swings further gives one warning, also after a resume.
+TEST(Radiation, WarnsOnceOfALargeTilt) {
+  const auto swung = [](const std::string& rate) {
+    return SceneRig(
+        "<time step='0.01' end='1000'/><water density='1000'/><hydro><buoyancy/><restoring/><database file='" +
+            std::string(NILAS_SOURCE_DIR) +
+            "/tests/data/hydro/hydrochrono/sphere.h5' origin='0 0 0'/></hydro><vessel name='sphere' "
+            "hull='sphere.stl' position='0 0 0' angular_velocity='" +
+            rate + " 0 0'><mass value='261800' cog='0 0 -2' inertia='1.69e6 1.69e6 2.6e6 0 0 0'/></vessel>",
+        1, {{"sphere.stl", sphere_stl(261.724)}});
+  };
+  const std::string kind = "tilt beyond the database";
+  SceneRig gentle = swung("0.4"), wild = swung("1.2"), resumed = swung("1.2");
+  double most = 0;
+  for (int k = 0; k < 400; ++k) {
+    gentle.simulation.step();
+    wild.simulation.step();
+    most = std::max(most, std::acos(std::min(1.0, gentle.bodies().R_GB[0](2, 2))));
+  }
+  EXPECT_GT(most, 10 * k_deg);
+  EXPECT_LT(most, 20 * k_deg);
+  EXPECT_EQ(gentle.warnings.counts().count(kind), 0u);
+  ASSERT_EQ(wild.warnings.counts().count(kind), 1u);
+  EXPECT_EQ(wild.warnings.counts().at(kind), 1);
+  State state;
+  wild.simulation.save(StateWriter(state));
+  resumed.simulation.restore(StateReader(state));
+  for (int k = 0; k < 400; ++k) resumed.simulation.step();
+  EXPECT_EQ(resumed.warnings.counts().count(kind), 0u);
+}
+
 /// With semi-implicit Euler, loads are evaluated where the last step ended, to the last bit of its time.
 TEST(Radiation, RunsWithSemiImplicitEuler) {
   for (const std::string model : {"state-space", "convolution"}) {
