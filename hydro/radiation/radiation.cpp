@@ -25,9 +25,7 @@ Vec6 modes_of(const Mat3& R_GD, const Vec3& v, const Vec3& w) {
 class Radiation : public bodies::ForceModule {
  public:
   Radiation(std::unique_ptr<MemoryForce> memory, const RadiatingBody& body) : memory_(std::move(memory)), body_(body) {
-    const Vec3 at_origin =
-        body.velocity + body.angular_velocity.cross(about_z(body.yaw) * body.origin_B) - body.current;
-    memory_->advance(body.start, modes_of(about_z(body.yaw + body.rotation), at_origin, body.angular_velocity));
+    memory_->advance(body.start, velocity(body.attitude, body.velocity, body.angular_velocity));
   }
   std::string name() const override { return "radiation"; }
   bodies::VesselLoad load_on_vessel() const override { return bodies::VesselLoad::water; }
@@ -50,9 +48,10 @@ class Radiation : public bodies::ForceModule {
  private:
   Vec6 velocity(const bodies::Bodies& bodies) const {
     const auto b = static_cast<std::size_t>(body_.body);
-    const Vec3 w = bodies.w_GB[b];
-    const Vec3 at_origin = bodies.v_GB[b] + w.cross(bodies.R_GB[b] * body_.origin_B) - body_.current;
-    return modes_of(axes(bodies.R_GB[b]), at_origin, w);
+    return velocity(bodies.R_GB[b], bodies.v_GB[b], bodies.w_GB[b]);
+  }
+  Vec6 velocity(const Mat3& R_GB, const Vec3& v, const Vec3& w) const {
+    return modes_of(axes(R_GB), v + w.cross(R_GB * body_.origin_B) - body_.current, w);
   }
   Mat3 axes(const Mat3& R_GB) const { return about_z(yaw_of(R_GB) + body_.rotation); }
 

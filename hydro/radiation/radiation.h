@@ -27,7 +27,7 @@ struct RadiatingBody {
   Mat6 mass_B = Mat6::Zero();            ///< mass about the centre of mass, without added mass, body axes
   Vec3 velocity = Vec3::Zero();          ///< of the centre of mass at the start, in G [m/s]
   Vec3 angular_velocity = Vec3::Zero();  ///< at the start, in G [rad/s]
-  double yaw = 0;                        ///< heading of the body at the start [rad]
+  Mat3 attitude = Mat3::Identity();      ///< of the body at the start, from its axes to those of G
   Vec3 current = Vec3::Zero();           ///< [m/s]
   double start = 0, step = 0;            ///< time of the start and length of a step [s]
 };
@@ -43,8 +43,8 @@ struct BuiltRadiation {
 /// - V are surge, sway, heave, roll, pitch and yaw velocities of the hull at the origin of D, relative to the uniform
 ///   current, in axes that turn with the vessel's yaw. Roll and pitch are taken as small: axes stay upright.
 /// - Past velocities are kept in the axes of their own time, so the memory turns with the vessel.
-/// - Before the start the motion was steady. Steady motion makes no load: the database is that of a body without
-///   forward speed, and no effect of speed is added.
+/// - Before the start the motion was steady, with the velocities of the start in all six modes. Steady motion makes
+///   no load: the database is that of a body without forward speed, and no effect of speed is added.
 /// The load is explicit. A step h with h^2 K(0) > (M + A_inf), in any mode, is refused with the longest step.
 /// The power of the load relative to the current is F . V exactly. Throws InputError for a database, a fit or a step
 /// that cannot be used.

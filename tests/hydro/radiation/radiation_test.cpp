@@ -59,6 +59,33 @@ Wrench last_load(bodies::ForceModule& module, double turn, const Vec3& drift, in
   return last;
 }
 
+/// A hull that starts on a steady motion in all six modes, at an attitude that is not upright, has no load until its
+/// motion changes. Its origin of D moves by the angular velocity times the lever of this attitude.
+TEST(Radiation, BeginsWithTheWholeVelocityOfTheStart) {
+  for (const RadiationModel model : {RadiationModel::state_space, RadiationModel::convolution}) {
+    RadiationSettings settings;
+    settings.model = model;
+    RadiatingBody moving = radiating({0.5, -0.2, 2});
+    const Quat attitude = Quat(Eigen::AngleAxisd(0.7, Vec3::UnitZ())) * Quat(Eigen::AngleAxisd(0.3, Vec3::UnitY()));
+    moving.attitude = attitude.toRotationMatrix();
+    moving.velocity = Vec3(2, -0.5, 0.4);
+    moving.angular_velocity = Vec3(0.1, 0.2, -0.3);
+    bodies::Bodies bodies = one_vessel();
+    bodies.set_pose(0, Vec3::Zero(), attitude);
+    bodies.v_GB[0] = moving.velocity;
+    bodies.w_GB[0] = moving.angular_velocity;
+    const auto load = [&](const RadiatingBody& body) {
+      const auto built = make_radiation(closed_database(), settings, body);
+      bodies::Wrenches out(1);
+      built.module->add_forces(bodies, 0.1, out);
+      return out[0].force.norm() + out[0].torque.norm();
+    };
+    const double from_rest = load(radiating(moving.origin_B));
+    EXPECT_GT(from_rest, 50);
+    EXPECT_LT(load(moving), 1e-9 * from_rest);
+  }
+}
+
 /// The same motion in a turned scene and in water that drifts: loads turn with the body, and the drift has no effect.
 TEST(Radiation, TurnsWithTheVesselAndMovesWithTheWater) {
   for (const RadiationModel model : {RadiationModel::state_space, RadiationModel::convolution}) {
@@ -66,7 +93,7 @@ TEST(Radiation, TurnsWithTheVesselAndMovesWithTheWater) {
     settings.model = model;
     const Vec3 origin(0.5, 0, 0.3), drift(0.4, -0.2, 0);
     RadiatingBody straight = radiating(origin), turned = radiating(origin, drift);
-    turned.yaw = 2.1;
+    turned.attitude = Eigen::AngleAxisd(2.1, Vec3::UnitZ()).toRotationMatrix();
     turned.velocity = drift;
     const auto first = make_radiation(closed_database(), settings, straight);
     const auto second = make_radiation(closed_database(), settings, turned);

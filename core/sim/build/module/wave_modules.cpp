@@ -79,7 +79,7 @@ hydro::RadiatingBody radiating_hull(const scene::Scene& scene, const WorldParts&
   hull.mass_B.bottomRightCorner<3, 3>() = parts.bodies.inertia_B[b];
   hull.velocity = parts.bodies.v_GB[b];
   hull.angular_velocity = parts.bodies.w_GB[b];
-  hull.yaw = yaw_of(parts.bodies.R_GB[b]);
+  hull.attitude = parts.bodies.R_GB[b];
   hull.current = parts.water->current;
   hull.start = scene.time.start;
   hull.step = scene.time.step;
