@@ -120,9 +120,11 @@ Database read_database(const fs::path& path, const DatabaseSettings& settings) {
 
 const Mat6& demand_infinite_added_mass(const Database& database) {
   if (!database.added_mass_infinite)
-    throw InputError(database.source +
-                     ": has no added mass at infinite frequency, which a model in the time domain needs; WAMIT writes "
-                     "it as rows with PER = 0, Capytaine for omega = inf, BEMIO as added_mass/inf_freq");
+    throw InputError(
+        database.source +
+        ": has no added mass at infinite frequency, which a model in the time domain needs; WAMIT writes "
+        "it as rows with PER = 0, Capytaine for omega = inf, BEMIO as added_mass/inf_freq; or `nilas hydro "
+        "FILE --complete --out NEW.h5` adds it by Ogilvie's relation");
   return *database.added_mass_infinite;
 }
 

@@ -1,6 +1,10 @@
 #include "hydro/radiation/retardation.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+
+#include "core/base/error.h"
 
 namespace nilas::hydro {
 
@@ -128,6 +132,21 @@ InfiniteAddedMass infinite_added_mass(const Database& database, const RadiationD
   }
   out.root_mean_square = std::sqrt(squares / static_cast<double>(w.size()));
   return out;
+}
+
+Database with_infinite_added_mass(Database database) {
+  if (database.added_mass_infinite)
+    throw InputError(database.source +
+                     ": has the added mass at infinite frequency already; nothing is to be completed");
+  const RadiationDamping damping = prepare_damping(database);
+  const InfiniteAddedMass found = infinite_added_mass(database, damping, retardation(damping));
+  database.added_mass_infinite = found.value;
+  database.notes.insert(database.notes.end(), damping.report.notes.begin(), damping.report.notes.end());
+  database.notes.push_back(fmt::format(
+      "The added mass at infinite frequency is that of Ogilvie's relation between added mass and damping; over the "
+      "frequencies it scatters by {:.3g} kg in surge, {:.3g} kg in heave and {:.3g} kg m^2 in pitch.",
+      found.scatter(0, 0), found.scatter(2, 2), found.scatter(4, 4)));
+  return database;
 }
 
 }  // namespace nilas::hydro

@@ -44,4 +44,8 @@ struct InfiniteAddedMass {
 InfiniteAddedMass infinite_added_mass(const Database& database, const RadiationDamping& damping,
                                       const Retardation& kernel);
 
+/// The database with the added mass at infinite frequency of Ogilvie's relation, and notes that say so with its
+/// scatter. Throws InputError for a database that has that added mass, and as prepare_damping() does.
+Database with_infinite_added_mass(Database database);
+
 }  // namespace nilas::hydro

@@ -12,6 +12,7 @@
 #include "hydro/database/read_database.h"
 #include "hydro/database/response.h"
 #include "hydro/database/wamit.h"
+#include "hydro/radiation/retardation.h"
 
 namespace nilas::commands {
 
@@ -25,7 +26,7 @@ struct HydroOptions {
   std::optional<double> mass;
   std::vector<double> reference, cog, radii;
   double out_length = 1;
-  bool json = false;
+  bool complete = false, json = false;
 };
 
 /// Three numbers of an option; nothing where it was not given.
@@ -70,6 +71,7 @@ int hydro_command(const HydroOptions& options) {
   hydro::DatabaseSettings settings = options.settings;
   settings.reference = point_of(options.reference);
   hydro::Database database = hydro::read_database(options.file, settings);
+  if (options.complete) database = hydro::with_infinite_added_mass(std::move(database));
   if (const auto cog = point_of(options.cog)) database.centre_of_gravity = cog;
   const std::optional<Mat6> mass = mass_of(options, database);
   const hydro::SelfCheck check = hydro::check_database(database, mass);
@@ -139,6 +141,8 @@ void add_hydro(CLI::App& app, Action& action) {
                    "NetCDF file of Capytaine.")
       ->required();
   add_computation_flags(*command, *options);
+  command->add_flag("--complete", options->complete,
+                    "Adds the added mass at infinite frequency by Ogilvie's relation to a database that lacks it.");
   command->add_option("--out", options->out,
                       "Writes the database to this file: in the form of BEMIO if it ends in .h5, else as files of "
                       "WAMIT with this stem.");

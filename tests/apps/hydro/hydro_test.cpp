@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "tests/support/mentions.h"
@@ -70,6 +71,36 @@ TEST(Hydro, ConvertsAndDraws) {
   const auto again = hydro_json(folder, "hydro b.hst --length 10 --density 1025 --gravity 9.81");
   const double expected = first["modes"][4]["damping_peak"], found = again["modes"][4]["damping_peak"];
   EXPECT_NEAR(found, expected, 2e-6 * expected);
+}
+
+/// A database without the added mass at infinite frequency serves a run once it is completed. The FPSO has its own,
+/// with which that of Ogilvie's relation agrees: within 0.5 % in heave.
+TEST(Hydro, CompletesADatabase) {
+  const ScratchFolder folder;
+  ASSERT_EQ(run_nilas(k_fpso + k_fpso_body + " --out whole", folder.path()).exit_code, 0);
+  // Rows of period 0 are those of the infinite frequency.
+  std::ifstream whole(folder / "whole.1");
+  std::ofstream lacking(folder / "lacking.1");
+  int left_out = 0;
+  for (std::string row; std::getline(whole, row);) {
+    if (std::stod(row) == 0)
+      ++left_out;
+    else
+      lacking << row << "\n";
+  }
+  lacking.close();
+  EXPECT_EQ(left_out, 36);
+  const std::string read = "hydro lacking.1 --length 1 --density 1025 --gravity 9.81";
+  EXPECT_TRUE(hydro_json(folder, read)["modes"][2]["added_mass_infinite"].is_null());
+  const auto made = run_nilas(read + " --complete --out completed.h5", folder.path());
+  EXPECT_EQ(made.exit_code, 0) << made.err;
+  EXPECT_TRUE(mentions(made.err, "Ogilvie's relation")) << made.err;
+  const double own = hydro_json(folder, k_fpso)["modes"][2]["added_mass_infinite"];
+  const double found = hydro_json(folder, "hydro completed.h5")["modes"][2]["added_mass_infinite"];
+  EXPECT_NEAR(found, own, 5e-3 * own);
+  const auto again = run_nilas("hydro completed.h5 --complete", folder.path());
+  EXPECT_EQ(again.exit_code, 2);
+  EXPECT_TRUE(mentions(again.err, "already")) << again.err;
 }
 
 TEST(Hydro, DoesNotReplaceItsOwnInput) {

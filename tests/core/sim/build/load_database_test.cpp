@@ -8,6 +8,9 @@
 #include "core/base/error.h"
 #include "core/scene/read/read_scene.h"
 #include "core/sim/build/build_world.h"
+#include "hydro/database/bemio.h"
+#include "hydro/database/read_database.h"
+#include "hydro/radiation/retardation.h"
 #include "tests/support/mentions.h"
 #include "tests/support/refusal.h"
 #include "tests/support/scratch_folder.h"
@@ -88,7 +91,20 @@ TEST_F(LoadDatabase, NamesTheMissingInfiniteFrequency) {
         build("<database file='" + k_data +
               "wec-sim/sphere_capytaine.nc' reference='0 0 -2'/><added_mass vessel='database'/>");
       },
-      {"sphere_capytaine.nc", "infinite frequency", "omega = inf"});
+      {"sphere_capytaine.nc", "infinite frequency", "omega = inf", "--complete --out"});
+}
+
+/// A file that lacks it serves a run once it was completed and written: within 0.1 % of what the file had.
+TEST_F(LoadDatabase, TakesACompletedDatabase) {
+  hydro::DatabaseSettings settings;
+  settings.depth = 1000;
+  hydro::Database lacking = hydro::read_database(k_data + "hydrochrono/sphere.h5", settings);
+  lacking.added_mass_infinite.reset();
+  const auto file = folder_.path() / "completed.h5";
+  hydro::write_bemio(hydro::with_infinite_added_mass(lacking), file);
+  const WorldParts parts = build("<database file='" + file.string() + "'/><added_mass vessel='database'/>");
+  ASSERT_TRUE(parts.hull_water);
+  EXPECT_NEAR(parts.hull_water->added_B(2, 2), 130876.8, 200);  // 0.15 %
 }
 
 /// All files of the stem are inputs of the run, with the stem of the file that is named.
