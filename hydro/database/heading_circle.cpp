@@ -24,13 +24,58 @@ Vec6 mode_scale(const Database& database, const std::vector<Mat6>& matrices) {
   return scale;
 }
 
-bool is_symmetric_port_starboard(const Database& database) {
-  const Vec6 scale = mode_scale(database, database.added_mass);
-  for (const Mat6& a : database.added_mass)
+/// Damping and loads come from differences and phases, whose digits are fewer.
+constexpr double k_same_load = 1e-2;
+
+namespace {
+
+bool sides_are_uncoupled(const Database& database, const std::vector<Mat6>& matrices, double share) {
+  const Vec6 scale = mode_scale(database, matrices);
+  for (const Mat6& a : matrices)
     for (const int i : {0, 2, 4})
       for (const int j : {1, 3, 5})
-        if (std::max(std::abs(a(i, j)), std::abs(a(j, i))) > k_same * std::sqrt(scale[i] * scale[j])) return false;
+        if (std::max(std::abs(a(i, j)), std::abs(a(j, i))) > share * std::sqrt(scale[i] * scale[j])) return false;
   return true;
+}
+
+ComplexVec6 mirror_image(ComplexVec6 load) {
+  for (const int i : {1, 3, 5}) load[i] = -load[i];
+  return load;
+}
+
+/// Largest load over all frequencies and headings, for forces and for moments.
+Vec6 load_scale(const Database& database) {
+  double force = 0, moment = 0;
+  for (const auto& of_frequency : database.excitation)
+    for (const ComplexVec6& load : of_frequency) {
+      force = std::max(force, load.head<3>().cwiseAbs().maxCoeff());
+      moment = std::max(moment, load.tail<3>().cwiseAbs().maxCoeff());
+    }
+  Vec6 scale;
+  scale << Vec3::Constant(force), Vec3::Constant(std::max(moment, force * body_size(database)));
+  return scale;
+}
+
+/// Whether loads of headings that are mirror images of each other, or of themselves, are mirror images too.
+bool loads_are_mirrored(const Database& database) {
+  constexpr double k_on_plane = 1e-4;  // [rad]
+  if (database.excitation.empty()) return true;
+  const Vec6 allowed = k_same_load * load_scale(database);
+  for (std::size_t h = 0; h < database.heading.size(); ++h)
+    for (std::size_t other = h; other < database.heading.size(); ++other) {
+      const double apart = std::remainder(database.heading[h] + database.heading[other], 2 * k_pi);
+      if (std::abs(apart) > k_on_plane) continue;
+      for (const auto& loads : database.excitation)
+        if (((loads[h] - mirror_image(loads[other])).cwiseAbs().array() > allowed.array()).any()) return false;
+    }
+  return true;
+}
+
+}  // namespace
+
+bool is_symmetric_port_starboard(const Database& database) {
+  return sides_are_uncoupled(database, database.added_mass, k_same) &&
+         sides_are_uncoupled(database, database.damping, k_same_load) && loads_are_mirrored(database);
 }
 
 bool is_round(const Database& database) {
@@ -97,8 +142,7 @@ std::vector<CircleHeading> heading_circle(const Database& database) {
 
 ComplexVec6 excitation_of(const Database& database, std::size_t frequency, const CircleHeading& heading) {
   ComplexVec6 load = database.excitation[frequency][heading.source];
-  if (heading.mirrored)
-    for (const int i : {1, 3, 5}) load[i] = -load[i];
+  if (heading.mirrored) load = mirror_image(load);
   if (heading.turned == 0) return load;
   const Mat3 turn = Eigen::AngleAxisd(heading.turned, Vec3::UnitZ()).toRotationMatrix();
   ComplexVec6 turned;

@@ -15,8 +15,10 @@ Vec6 mode_scale(const Database& database, const std::vector<Mat6>& matrices);
 /// The size of the body, from the water that moves with it [m].
 double body_size(const Database& database);
 
-/// Whether surge, heave and pitch are uncoupled from sway, roll and yaw: the hull is its own mirror image in the plane
-/// y = 0 of D, within a thousandth of the modes' scales.
+/// Whether nothing in the database contradicts a hull that is its own mirror image in the plane y = 0 of D. Surge,
+/// heave and pitch are uncoupled from sway, roll and yaw: in added mass within a thousandth of the modes' scales, in
+/// damping within a hundredth. Waves along that plane make no sway, roll and yaw, and where the file has a heading on
+/// both sides, its loads are mirror images, within a hundredth of the largest loads.
 bool is_symmetric_port_starboard(const Database& database);
 /// Whether added mass does not distinguish surge from sway and roll from pitch within a thousandth: as that of a body
 /// of revolution about the Z axis of D.

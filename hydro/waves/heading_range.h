@@ -37,18 +37,25 @@ struct BodySymmetry {
 
 /// Rising headings [rad]. They may cover the whole circle. From 0 onwards they serve the other side of a body with
 /// equal sides as well. One heading serves all directions of a round body. Otherwise only headings between the first
-/// and the last have values.
+/// and the last have values. Values are not interpolated over a gap wider than k_widest_gap, nor over the one that
+/// closes the circle: there only the headings themselves have values.
 class HeadingRange {
  public:
+  /// Linear interpolation of cos(heading) over 45 degrees is at most 1 - cos(22.5 deg) = 8 % too small; over 90 degrees
+  /// it is 29 %. With room for the rounding of files [rad].
+  static constexpr double k_widest_gap = 45.5 * k_deg;
+
   HeadingRange() = default;
   /// Throws InputError for an empty list or one that does not rise.
   HeadingRange(std::vector<double> headings, const BodySymmetry& body);
   /// Empty where the list has no value for this heading.
   std::optional<HeadingPlace> find(double heading) const;
-  /// "-90 to 90 deg", for messages.
+  /// "-90 to 90 deg", for messages; with the gaps that are too wide.
   std::string text() const;
 
  private:
+  double gap_after(std::size_t k) const;
+
   std::vector<double> headings_;
   bool circle_ = false, mirrored_ = false, round_ = false;
 };

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "hydro/database/heading_circle.h"
 #include "tests/hydro/waves/synthetic_database.h"
 
 namespace vessel_excitation_test {
@@ -148,7 +149,7 @@ TEST(HeadingRange, CoversTheCircle) {
 }
 
 TEST(HeadingRange, MirrorsOnlyBodiesWithEqualSides) {
-  const std::vector<double> half{0, 0.5 * k_pi, k_pi};
+  const std::vector<double> half{0, 0.25 * k_pi, 0.5 * k_pi, 0.75 * k_pi, k_pi};
   const BodySymmetry equal{true, false};
   EXPECT_TRUE(HeadingRange(half, equal).find(-1)->mirror);
   EXPECT_FALSE(HeadingRange(half, equal).find(1)->mirror);
@@ -156,6 +157,42 @@ TEST(HeadingRange, MirrorsOnlyBodiesWithEqualSides) {
   EXPECT_EQ(HeadingRange(half, {}).text(), "0 to 180 deg");
   EXPECT_THROW(HeadingRange({}, {}), InputError);
   EXPECT_THROW(HeadingRange({1, 1}, {}), InputError);
+}
+
+/// Three or four headings are no circle: between them a straight line would lose up to 29 % of a cosine.
+TEST(HeadingRange, HasNoValuesInWideGaps) {
+  const HeadingRange four({0, 0.5 * k_pi, k_pi, 1.5 * k_pi}, {});
+  for (const double heading : {0.0, 0.5 * k_pi, k_pi, -0.5 * k_pi}) {
+    const auto place = four.find(heading);
+    ASSERT_TRUE(place) << heading;
+    EXPECT_LT(place->share * (1 - place->share), 1e-9);
+  }
+  for (const double heading : {0.3, 2.0, -2.0, -0.3}) EXPECT_FALSE(four.find(heading)) << heading;
+  EXPECT_TRUE(has(four.text(), "0 to 270 deg, of which the widest gap is 90 deg")) << four.text();
+  EXPECT_FALSE(HeadingRange({0, 2.0, 4.0}, {}).find(1));
+  std::vector<double> eight;
+  for (int k = 0; k < 8; ++k) eight.push_back(0.25 * k_pi * k);
+  EXPECT_NEAR(HeadingRange(eight, {}).find(-0.125 * k_pi)->share, 0.5, 1e-12);
+}
+
+/// A hull with one side only, such as with a riser on it: added mass does not show it, damping or loads do.
+TEST(VesselExcitation, MirrorsOnlyWhatIsAMirrorImage) {
+  const auto refused = [](const Database& database) { return refusal(database, {regular(1, 0.8, -2)}, 0) != ""; };
+  Database database = synthetic_database();
+  EXPECT_FALSE(refused(database));
+  for (auto& of_frequency : database.excitation) of_frequency[0][1] += 20;  // sway in waves from astern
+  EXPECT_TRUE(refused(database));
+  database = synthetic_database();
+  for (std::size_t k = 0; k < database.frequency.size(); ++k) {
+    database.damping.push_back(Mat6::Identity());
+    database.damping.back()(0, 1) = database.damping.back()(1, 0) = 0.1;
+  }
+  EXPECT_TRUE(refused(database));
+  // Both sides are given, and one of them is not the mirror image of the other.
+  database = synthetic_database(2 * k_pi, 13);
+  EXPECT_TRUE(is_symmetric_port_starboard(database));
+  for (auto& of_frequency : database.excitation) of_frequency[2][2] *= 1.1;
+  EXPECT_FALSE(is_symmetric_port_starboard(database));
 }
 
 /// The load of a wave from another direction on a round body is the known one, turned: surge of a wave ahead becomes
