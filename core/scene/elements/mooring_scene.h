@@ -27,6 +27,7 @@ struct CatenaryScene : MooringLineScene {
   double weight = 0;     ///< in water [N/m]
   double stiffness = 0;  ///< EA [N]
   double bed_friction = 0;
+  double diameter = 0;  ///< its axis lies half of it above the bed [m]
 
   bool operator==(const CatenaryScene&) const = default;
 };

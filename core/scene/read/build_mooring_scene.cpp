@@ -21,6 +21,7 @@ static CatenaryScene build_catenary(const SceneElement& element) {
   assign(line.weight, element, "weight");
   assign(line.stiffness, element, "stiffness");
   assign(line.bed_friction, element, "bed_friction");
+  assign(line.diameter, element, "diameter");
   return line;
 }
 

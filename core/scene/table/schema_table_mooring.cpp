@@ -91,6 +91,12 @@ static ElementSpec line() {
                                 .default_value = written(values.bed_friction),
                                 .doc = "It is the Coulomb coefficient between line and bed. It lowers the tension at "
                                        "the anchor. A line whose anchor is above the bed takes none."});
+  element.attributes.push_back({.name = "diameter",
+                                .unit = "m",
+                                .range = at_least(0),
+                                .default_value = written(values.diameter),
+                                .doc = "On the bed the axis of the line lies half of it above the bed, and so does the "
+                                       "line's end at an anchor that is lower. It has no other effect."});
   for (AttributeSpec& load : loads_of_line()) element.attributes.push_back(std::move(load));
   return element;
 }
@@ -119,6 +125,7 @@ static ElementSpec spring_line() {
                                 .doc = "It is the tension per stretch beyond the knee."});
   element.attributes.push_back({.name = "table",
                                 .type = ValueType::path,
+                                .scaled_file = true,
                                 .doc = "This CSV file has the columns stretch_m,tension_N. The tension is linear "
                                        "between its rows, zero before the first, and goes on behind the last."});
   for (AttributeSpec& load : loads_of_line()) element.attributes.push_back(std::move(load));

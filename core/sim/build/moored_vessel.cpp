@@ -25,11 +25,12 @@ vessel::MooringLine line_with_ends(const scene::MooringLineScene& given, const V
   return line;
 }
 
-vessel::SpringLine spring_of(const scene::SpringLineScene& given) {
-  if (!given.table.empty()) return vessel::tabulated_spring(given.length, given.table);
+vessel::SpringLine spring_of(const scene::SpringLineScene& given, double scale) {
+  if (!given.table.empty()) return vessel::tabulated_spring(given.length, given.table, scale);
   NILAS_DEMAND(given.stiffness.has_value());
   const double first = *given.stiffness;
-  return vessel::bilinear_spring(given.length, first, given.knee.value_or(1), given.second_stiffness.value_or(first));
+  return vessel::bilinear_spring(given.length, first, given.knee.value_or(scale),
+                                 given.second_stiffness.value_or(first));
 }
 
 vessel::MooringModel mooring_model(const scene::Scene& scene, const Vec3& com) {
@@ -43,11 +44,12 @@ vessel::MooringModel mooring_model(const scene::Scene& scene, const Vec3& com) {
   if (given.turret) model.turret = vessel::Turret{given.turret->at - com, given.turret->friction};
   for (const scene::CatenaryScene& line : given.lines) {
     model.lines.push_back(line_with_ends(line, com));
-    model.lines.back().form = vessel::CatenaryLine{line.length, line.weight, line.stiffness, line.bed_friction};
+    model.lines.back().form =
+        vessel::CatenaryLine{line.length, line.weight, line.stiffness, line.bed_friction, line.diameter};
   }
   for (const scene::SpringLineScene& line : given.springs) {
     model.lines.push_back(line_with_ends(line, com));
-    model.lines.back().form = spring_of(line);
+    model.lines.back().form = spring_of(line, scene.scale);
   }
   return model;
 }
@@ -88,9 +90,12 @@ class LineJudge {
                                  catenary ? "line" : "spring_line", given_[k]->name, message));
   }
   void judge_bed(std::size_t k, const Vec3& fairlead) const {
-    if (k < scene_.vessel->mooring->lines.size() && mooring_.bed && fairlead.z() < *mooring_.bed)
-      refuse(k, fmt::format("the fairlead is at the height {:.4g} m at the start, below the sea bed at {:.4g} m",
-                            fairlead.z(), *mooring_.bed));
+    const std::optional<double> resting = vessel::axis_on_bed(mooring_.lines[k], mooring_.bed);
+    if (!resting || fairlead.z() >= *resting) return;
+    const std::string axis =
+        *resting > *mooring_.bed ? fmt::format(", where the axis of the line lies at {:.4g} m", *resting) : "";
+    refuse(k, fmt::format("the fairlead is at the height {:.4g} m at the start, below the sea bed at {:.4g} m{}",
+                          fairlead.z(), *mooring_.bed, axis));
   }
   void judge_stretch(std::size_t k, const Vec3& fairlead) const {
     constexpr double k_most_strain = 0.05, k_percent = 100;  // chains and wires break at 1 to 2 %

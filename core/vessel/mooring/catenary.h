@@ -12,6 +12,7 @@ struct CatenaryLine {
   double weight = 0;        ///< w, not zero [N/m]
   double stiffness = 0;     ///< axial stiffness EA [N]
   double bed_friction = 0;  ///< Coulomb coefficient C_B between the line and the sea bed [-]
+  double diameter = 0;  ///< of the line; its axis lies half of it above the bed. solve_catenary() does not use it [m]
 };
 
 /// Where the ends of a line are, in its vertical plane.

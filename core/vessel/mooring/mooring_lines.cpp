@@ -38,12 +38,16 @@ LineForce pull_of(const SpringLine& line, const Vec3& to_anchor) {
 
 LineForce pull_of(const CatenaryLine& line, std::optional<double> bed, const MooringLine& of, const Vec3& fairlead) {
   const Vec2 out = (fairlead - of.anchor).head<2>();
-  CatenarySpan span{out.norm(), fairlead.z() - of.anchor.z(), std::nullopt};
-  if (bed && line.weight > 0) {
-    span.above_bed = of.anchor.z() - *bed;
+  const std::optional<double> resting = axis_on_bed(of, bed);
+  double foot = of.anchor.z();
+  if (resting && line.diameter > 0) foot = std::max(foot, *resting);
+  CatenarySpan span{out.norm(), fairlead.z() - foot, std::nullopt};
+  if (resting) {
+    span.above_bed = foot - *resting;
     if (*span.above_bed + span.up < 0)
-      throw SimulationError(fmt::format("mooring line '{}': its fairlead is {:.4g} m below the sea bed", of.name,
-                                        -(*span.above_bed + span.up)));
+      throw SimulationError(fmt::format("mooring line '{}': its fairlead is {:.4g} m below {}", of.name,
+                                        -(*span.above_bed + span.up),
+                                        line.diameter > 0 ? "the axis of a line on the sea bed" : "the sea bed"));
   }
   const CatenaryForces at = solve_catenary(line, span);
   LineForce force;
@@ -80,7 +84,7 @@ SpringLine bilinear_spring(double length, double stiffness, double knee, double 
   return {length, {{0, 0}, {knee, stiffness * knee}, {knee + 1, stiffness * knee + second}}};
 }
 
-SpringLine tabulated_spring(double length, const std::string& csv_file) {
+SpringLine tabulated_spring(double length, const std::string& csv_file, double scale) {
   const CsvTable table = read_csv(csv_file, {"stretch_m", "tension_N"});
   SpringLine line{length, {}};
   const auto refuse = [&](std::size_t row, const std::string& message) {
@@ -89,8 +93,8 @@ SpringLine tabulated_spring(double length, const std::string& csv_file) {
   for (std::size_t k = 0; k < table.rows.size(); ++k) {
     const SpringLine::Point point{table.rows[k][0], table.rows[k][1]};
     if (point.tension < 0) refuse(k, fmt::format("found a tension of {:g} N; allowed: >= 0", point.tension));
-    if (!line.curve.empty()) {
-      const SpringLine::Point& before = line.curve.back();
+    if (k > 0) {
+      const SpringLine::Point before{table.rows[k - 1][0], table.rows[k - 1][1]};
       if (!(point.stretch > before.stretch))
         refuse(k, fmt::format("found a stretch of {:g} m; allowed: more than in the row before, {:g} m", point.stretch,
                               before.stretch));
@@ -98,10 +102,16 @@ SpringLine tabulated_spring(double length, const std::string& csv_file) {
         refuse(k, fmt::format("found a tension of {:g} N; allowed: no less than in the row before, {:g} N",
                               point.tension, before.tension));
     }
-    line.curve.push_back(point);
+    line.curve.push_back({scale * point.stretch, scale * scale * scale * point.tension});
   }
   if (line.curve.size() < 2) refuse(0, "found one row; allowed: two rows or more");
   return line;
+}
+
+std::optional<double> axis_on_bed(const MooringLine& line, std::optional<double> bed) {
+  const auto* catenary = std::get_if<CatenaryLine>(&line.form);
+  if (!bed || !catenary || !(catenary->weight > 0)) return std::nullopt;
+  return *bed + 0.5 * catenary->diameter;
 }
 
 LineForce line_force(const MooringLine& line, std::optional<double> bed, const Vec3& fairlead) {

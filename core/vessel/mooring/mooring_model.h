@@ -28,8 +28,9 @@ struct SpringLine {
 };
 /// A curve of two slopes: `stiffness` up to the stretch `knee`, `second` beyond it [N/m, m].
 SpringLine bilinear_spring(double length, double stiffness, double knee, double second);
-/// Reads a curve from the columns stretch_m,tension_N. Throws FileError, or InputError where it is no such curve.
-SpringLine tabulated_spring(double length, const std::string& csv_file);
+/// Reads a curve from the columns stretch_m,tension_N. By Froude's law, `scale` multiplies its stretches, and its cube
+/// the tensions; the length is taken as it is. Throws FileError, or InputError where it is no such curve.
+SpringLine tabulated_spring(double length, const std::string& csv_file, double scale = 1);
 
 struct MooringLine {
   std::string name;
@@ -78,7 +79,11 @@ struct LineForce {
 
   double tension() const { return std::max(fairlead_tension, anchor_tension); }
 };
-/// Throws SimulationError where the fairlead is below the sea bed.
+/// The height at which the axis of a line rests on a bed at this height, half a diameter above it [m]; empty where
+/// there is no bed, and for a line that meets none: a spring or a buoyant line.
+std::optional<double> axis_on_bed(const MooringLine& line, std::optional<double> bed);
+/// An anchor below axis_on_bed() holds its end of the line there. Throws SimulationError where the fairlead is below
+/// it.
 LineForce line_force(const MooringLine& line, std::optional<double> bed, const Vec3& fairlead);
 
 /// The turret's angle at a pose, from that of the state. It stays where the moment of its lines is within the friction.

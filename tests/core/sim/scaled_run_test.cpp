@@ -175,6 +175,27 @@ TEST_F(ScaledRun, ScalesFiles) {
   EXPECT_GT(expect_same_steps(40, 16), 0);
 }
 
+/// A vessel on a spring line with a table of tensions: lengths grow by 16, tensions by 16^3.
+TEST_F(ScaledRun, ScalesTablesOfSpringLines) {
+  folder_.write("spring.csv", "stretch_m,tension_N\n0,0\n0.5,30\n1.5,400\n");
+  build("<scene version='1'><time step='0.01' end='2'/>" + contact_of("nsgs") +
+            "<water/><hydro><buoyancy/><drag/></hydro><vessel position='0 0' velocity='0.2 0 0'><hull "
+            "generate='icebreaker' length='6' triangles='400'/><mass draught='0.35'/><mooring "
+            "start='as-placed'><spring_line name='a' fairlead='0 0 0' anchor='-9 1 0' length='8' "
+            "table='spring.csv'/></mooring></vessel></scene>",
+        16);
+  const Factors by(16);
+  expect_same_states(by);
+  const double start = model_->bodies().v_GB[0].x();
+  for (int k = 0; k < 50 && !HasFailure(); ++k) {
+    const sim::StepRecord a = model_->step(), b = scaled_->step();
+    EXPECT_EQ(by.mass * a.module_values.at(0), b.module_values.at(0));
+    EXPECT_GT(a.module_values.at(0), 30) << "beyond the first row";
+    expect_same_states(by);
+  }
+  EXPECT_LT(model_->bodies().v_GB[0].x(), start);
+}
+
 /// A ship of 1e8 kg in ice of 2 m: 40 times the model. No factor is a power of two then, so the runs agree to rounding
 /// while their contacts are the same, and the accounts close to the same share.
 TEST_F(ScaledRun, OfAShipKeepsItsAccountsToTheSameShare) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/vessel/mooring/mooring_model.h"
 
 namespace nilas::vessel {
 
@@ -83,19 +84,22 @@ constexpr std::array<Chain, 3> k_chains{{{50, 400, 410, 1001.16e3, 839.59e3, 991
                                          {600, 1500, 1700, 5225.12e3, 3249.37e3, 5232.6e3, 3244.2e3}}};
 
 /// In 50 m the chain is nearly straight: a depth that is less by half its diameter lowers the anchor's tension by
-/// 0.75 %. The published tensions are met by a chain that lies on its underside, its axis half a diameter above the
-/// bed; MoorDyn's, by one whose axis lies on the bed.
+/// 0.75 %. A line with its diameter lies on its underside, and meets the published tensions. Without one its axis lies
+/// on the bed, as in MoorDyn, and it meets those of MoorDyn at rest.
 TEST(Catenary, GivesTheTensionsOfChains) {
   constexpr double k_diameter = 0.252, k_weight = (390 - 1025 * k_pi / 4 * k_diameter * k_diameter) * 9.81;
   for (const Chain& chain : k_chains) {
-    const auto tensions = [&](double depth) {
-      return solve_catenary({chain.length, k_weight, 1.674e9, 0}, {chain.span, depth, 0.0});
+    const auto tensions = [&](double diameter) {
+      MooringLine line;
+      line.anchor = {chain.span, 0, -chain.depth};
+      line.form = CatenaryLine{chain.length, k_weight, 1.674e9, 0, diameter};
+      return line_force(line, -chain.depth, Vec3::Zero());
     };
-    const CatenaryForces on_axis = tensions(chain.depth), on_underside = tensions(chain.depth - k_diameter / 2);
-    EXPECT_NEAR(on_axis.fairlead_tension() / chain.moordyn_fairlead, 1, 0.01) << chain.depth;
-    EXPECT_NEAR(on_axis.anchor_tension() / chain.moordyn_anchor, 1, 0.01) << chain.depth;
-    EXPECT_NEAR(on_underside.fairlead_tension() / chain.published_fairlead, 1, 0.01) << chain.depth;
-    EXPECT_NEAR(on_underside.anchor_tension() / chain.published_anchor, 1, 0.01) << chain.depth;
+    const LineForce thin = tensions(0), thick = tensions(k_diameter);
+    EXPECT_NEAR(thin.fairlead_tension / chain.moordyn_fairlead, 1, 0.01) << chain.depth;
+    EXPECT_NEAR(thin.anchor_tension / chain.moordyn_anchor, 1, 0.01) << chain.depth;
+    EXPECT_NEAR(thick.fairlead_tension / chain.published_fairlead, 1, 0.01) << chain.depth;
+    EXPECT_NEAR(thick.anchor_tension / chain.published_anchor, 1, 0.01) << chain.depth;
   }
 }
 

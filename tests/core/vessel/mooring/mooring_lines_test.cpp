@@ -42,6 +42,16 @@ TEST_F(SpringTable, IsReadFromAFile) {
   EXPECT_DOUBLE_EQ(spring.tension(4), 70);
 }
 
+/// By Froude's law at twice the lengths, tensions are eight times as great.
+TEST_F(SpringTable, IsScaled) {
+  read("-1,0\n0,50\n2,60\n");
+  const SpringLine spring = tabulated_spring(20, file_.string(), 2);
+  EXPECT_EQ(spring.length, 20);
+  EXPECT_DOUBLE_EQ(spring.tension(-1), 8 * 25);
+  EXPECT_DOUBLE_EQ(spring.tension(2), 8 * 55);
+  EXPECT_DOUBLE_EQ(spring.slope(1), 4 * 5);
+}
+
 TEST_F(SpringTable, IsRefusedWhereItIsNoCurve) {
   EXPECT_THROW(read("0,0\n"), InputError);
   EXPECT_THROW(read("0,0\n0,5\n"), InputError);
@@ -89,6 +99,23 @@ TEST(LineForce, TurnsWithItsLine) {
     const MooringLine turned = line_from(turn * line.anchor, line.form);
     EXPECT_LT((line_force(turned, -100, turn * Vec3(5, 0, 2)).on_fairlead - turn * force).norm(), 1e-11 * force.norm());
   }
+}
+
+/// The axis of a line of 0.4 m lies 0.2 m above the bed, and an anchor on the bed holds its end there. So its forces
+/// are those of a thin line in water that is shallower by 0.2 m. An anchor above that height stays where it is.
+TEST(LineForce, RestsOnItsUnderside) {
+  CatenaryLine chain{320, 1500, 8e8, 0.2};
+  const Vec3 fairlead(5, 0, 2);
+  const LineForce shallow = line_force(line_from({300, 0, -99.8}, chain), -99.8, fairlead);
+  chain.diameter = 0.4;
+  const MooringLine thick = line_from({300, 0, -100}, chain);
+  EXPECT_DOUBLE_EQ(axis_on_bed(thick, -100).value(), -99.8);
+  EXPECT_LT((line_force(thick, -100, fairlead).on_fairlead - shallow.on_fairlead).norm(), 1e-9 * shallow.tension());
+  const LineForce high = line_force(line_from({300, 0, -90}, chain), -100, fairlead);
+  chain.diameter = 0;
+  EXPECT_LT((high.on_fairlead - line_force(line_from({300, 0, -90}, chain), -99.8, fairlead).on_fairlead).norm(),
+            1e-9 * high.tension());
+  EXPECT_FALSE(axis_on_bed(line_from({30, 0, -40}, bilinear_spring(45, 100, 100, 100)), -40));
 }
 
 TEST(LineForce, RefusesAFairleadBelowTheBed) {
