@@ -140,18 +140,18 @@ class MooredRest {
     const vessel::MooringLoads start = loads(pose);
     force_ = std::accumulate(start.tensions.begin(), start.tensions.end(), water_ ? weight_.norm() : 0);
     if (!(force_ > 0)) return pose;
-    VecX error = residual(pose);
+    VecX error = residual(pose);  // of the start, which must be one that can be computed
     for (int step = 0; step < k_most_steps && error.norm() > k_tolerance; ++step) {
       VecX way = direction(pose, error);
       if (way.norm() > k_longest) way *= k_longest / way.norm();
       bool better = false;
       for (int halving = 0; halving < k_most_halvings && !better; ++halving, way *= 0.5) {
         const Pose next = moved(pose, way);
-        const VecX left = residual(next);
-        better = left.norm() < error.norm();
+        const std::optional<VecX> left = residual_if_any(next);
+        better = left && left->norm() < error.norm();
         if (!better) continue;
         pose = next;
-        error = left;
+        error = *left;
       }
       if (!better) break;
     }
@@ -190,6 +190,14 @@ class MooredRest {
     all << sum.force / force_, sum.torque / (force_ * length_);
     return all(motions_);
   }
+  /// Nothing where the loads cannot be computed, such as with a fairlead below the bed: that pose lies too far.
+  std::optional<VecX> residual_if_any(const Pose& pose) const {
+    try {
+      return residual(pose);
+    } catch (const SimulationError&) {
+      return std::nullopt;
+    }
+  }
   /// Newton's step, the shortest where a motion has no stiffness.
   VecX direction(const Pose& pose, const VecX& error) const {
     constexpr double k_difference = 1e-6, k_no_stiffness = 1e-8;
@@ -197,7 +205,13 @@ class MooredRest {
     MatX slopes(n, n);
     for (Eigen::Index k = 0; k < n; ++k) {
       const VecX step = k_difference * VecX::Unit(n, k);
-      slopes.col(k) = (residual(moved(pose, step)) - residual(moved(pose, -step))) / (2 * k_difference);
+      // At the edge of what can be computed the difference is one-sided.
+      const std::optional<VecX> ahead = residual_if_any(moved(pose, step)),
+                                behind = residual_if_any(moved(pose, -step));
+      if (ahead && behind)
+        slopes.col(k) = (*ahead - *behind) / (2 * k_difference);
+      else
+        slopes.col(k) = ((ahead ? *ahead : error) - (ahead ? error : residual(moved(pose, -step)))) / k_difference;
     }
     Eigen::CompleteOrthogonalDecomposition<MatX> solver;
     solver.setThreshold(k_no_stiffness);

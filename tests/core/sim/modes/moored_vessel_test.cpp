@@ -174,6 +174,33 @@ TEST(MooredVessel, RefusesALineShorterThanItsSpan) {
   EXPECT_EQ(refusal(with("break_load='1e9'")), "");
 }
 
+/// Four springs hold a hull with trim, and a light line ends at a pole 19.9 m below it, 0.1 mm above the bed at rest.
+/// From a level start Newton's steps lead through poses with that end below the bed, which cannot be computed. They are
+/// too long, and the search finds the rest that it finds in deeper water.
+TEST(MooredVessel, SeeksItsRestBesidePosesThatCannotBeComputed) {
+  const auto moored = [](double depth, const std::string& start) {
+    std::string lines;
+    for (int k = 0; k < 4; ++k) {
+      const Vec2 away = direction_of(k_pi / 4 + k * k_pi / 2);
+      const std::string x = test::text(away.x()), y = test::text(away.y());
+      lines += "<spring_line name='s" + std::to_string(k) + "' fairlead='" + x + " " + y + " 0' anchor='" +
+               test::text(9 * away.x()) + " " + test::text(9 * away.y()) + " 0' length='7.5' stiffness='200'/>";
+    }
+    lines += line("pole", {0.9, 0, -19.9}, {60, 0, -19}, "length='60' weight='1e-5' stiffness='1e3'");
+    return test::steps_of(0.02) + k_water + "<vessel name='hull' hull='box.stl' " + start +
+           "><mass value='500' cog='0.1 0 0'/><mooring depth='" + test::text(depth) + "'>" + lines +
+           "</mooring></vessel>";
+  };
+  SceneRig deep(moored(25, "position='0 0 0'"));
+  const Pose rest{deep.bodies().q_GB[0], deep.bodies().p_GB[0]};
+  const double pole = (rest.p + rest.q * Vec3(0.8, 0, -19.9)).z();
+  for (const std::string start : {"position='0 0 0.1' heading_deg='20'", "position='0.5 0.3 0.24'"}) {
+    SceneRig rig(moored(1e-4 - pole, start));
+    EXPECT_LT((rig.bodies().p_GB[0] - rest.p).norm(), 1e-3) << start;
+    EXPECT_LT(rig.bodies().q_GB[0].angularDistance(rest.q), 1e-3) << start;
+  }
+}
+
 TEST(MooredVessel, RefusesAFairleadBelowTheBed) {
   const std::string found = refusal(
       scene("moreau", "position='0 0 0'",
