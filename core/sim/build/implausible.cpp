@@ -8,6 +8,7 @@
 #include "core/scene/time_steps.h"
 #include "core/sim/build/natural_periods.h"
 #include "core/sim/build/vessel_doubts.h"
+#include "core/sim/build/water_doubts.h"
 #include "core/sim/world/course.h"
 
 namespace nilas::sim {
@@ -223,6 +224,7 @@ class Doubts {
     for (const std::string& message : vessel_doubts(scene_, parts_)) doubt(place, message);
     if (parts_.database)
       for (const std::string& message : parts_.database->doubts) doubt("hydro/database/@file", message);
+    for (const WaterDoubt& about : water_doubts(scene_, parts_)) doubt(about.path, about.message);
     if (!parts_.restless.empty())
       doubt("vessel", fmt::format("part '{}' finds no rest: nothing brings it back to where it is, or it starts with a "
                                   "rate. So the vessel starts as placed and without a tare; <carriage "

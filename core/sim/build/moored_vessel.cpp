@@ -259,7 +259,8 @@ MooringAtStart mooring_at_start(const WorldParts& parts) {
   const Pose pose{parts.bodies.q_GB[hull], parts.bodies.p_GB[hull]};
   const vessel::MooringState state = vessel::initial_mooring(*parts.mooring, pose);
   const Mat6 K = vessel::mooring_stiffness(*parts.mooring, state, pose);
-  return {vessel::mooring_loads(*parts.mooring, state, {pose}), 0.5 * (K + K.transpose())};
+  return {vessel::mooring_loads(*parts.mooring, state, {pose}), 0.5 * (K + K.transpose()),
+          vessel::mooring_damping(*parts.mooring, state, pose)};
 }
 
 std::string mooring_reason(const WorldParts& parts) {

@@ -19,6 +19,7 @@ void moor_vessel(const scene::Scene& scene, const geometry::TriangleMesh& fluid,
 struct MooringAtStart {
   vessel::MooringLoads loads;
   Mat6 stiffness;  ///< for small motions (translation; rotation) of the centre of mass, in G; symmetric part
+  Mat6 damping;    ///< likewise for small velocities, with all lines under tension
 };
 /// `parts` has a mooring.
 MooringAtStart mooring_at_start(const WorldParts& parts);

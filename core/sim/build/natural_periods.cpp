@@ -132,6 +132,14 @@ std::vector<NaturalPeriod> natural_periods(const scene::Scene& scene, const Worl
   return periods;
 }
 
+double mooring_damping_rate(const WorldParts& parts) {
+  if (!parts.mooring) return 0;
+  const Mat6 M = mass_matrix(parts), damping = mooring_at_start(parts).damping;
+  return Eigen::GeneralizedSelfAdjointEigenSolver<Mat6>(damping, M, Eigen::EigenvaluesOnly | Eigen::Ax_lBx)
+      .eigenvalues()
+      .maxCoeff();
+}
+
 double floe_heave_period(const scene::Scene& scene, const WorldParts& parts) {
   if (!parts.water || !scene.hydro || !scene.hydro->buoyancy || !(parts.info.ice_thickness > 0)) return 0;
   return 2 * k_pi *

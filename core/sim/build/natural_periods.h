@@ -20,9 +20,14 @@ struct NaturalPeriod {
   std::string held_by() const;
 };
 
-/// Periods of small motions about the vessel's initial pose, undamped and without added mass, shortest first. Modes
-/// without stiffness and unstable modes are left out. Empty without a vessel that can move.
+/// Periods of small motions about the vessel's initial pose, undamped and with the hull's added mass, shortest first.
+/// Modes without stiffness and unstable modes are left out. Empty without a vessel that can move.
 std::vector<NaturalPeriod> natural_periods(const scene::Scene& scene, const WorldParts& parts);
+
+/// The greatest rate at which the damping of the mooring lines slows a motion of the vessel, from its mass with added
+/// mass [1/s]; 0 without damped lines. A step that is longer than its inverse overshoots, and beyond twice the inverse
+/// the explicit damping makes velocities grow.
+double mooring_damping_rate(const WorldParts& parts);
 
 /// Heave period of a floating floe of mean thickness, without added mass [s]; 0 without floating ice.
 double floe_heave_period(const scene::Scene& scene, const WorldParts& parts);

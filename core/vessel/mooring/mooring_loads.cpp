@@ -115,6 +115,23 @@ MooringLoads mooring_loads(const MooringModel& model, const MooringState& state,
   return loads;
 }
 
+Mat6 mooring_damping(const MooringModel& model, const MooringState& state, const Pose& pose) {
+  const Geometry geometry(model, pose);
+  Mat6 sum = Mat6::Zero();
+  for (std::size_t k = 0; k < model.lines.size(); ++k) {
+    if (state.broken[k] != 0) continue;
+    const MooringLine& line = model.lines[k];
+    const Fairlead fairlead = geometry.at(line, state.turret_angle);
+    // A slack spring pulls once it is tight, along the straight line.
+    const Vec3 pull = geometry.force(line, fairlead).on_fairlead;
+    const Vec3 along = (pull.norm() > 0 ? pull : Vec3(line.anchor - pose.p - fairlead.arm)).normalized();
+    Vec6 way;
+    way << along, fairlead.arm.cross(along);
+    sum += line.damping * way * way.transpose();
+  }
+  return sum;
+}
+
 Mat6 mooring_stiffness(const MooringModel& model, const MooringState& state, const Pose& pose) {
   const Geometry geometry(model, pose);
   Mat6 sum = Mat6::Zero();

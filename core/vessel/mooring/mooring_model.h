@@ -105,4 +105,8 @@ MooringLoads mooring_loads(const MooringModel& model, const MooringState& state,
 /// A turret without friction follows. With friction it stays on the hull.
 Mat6 mooring_stiffness(const MooringModel& model, const MooringState& state, const Pose& pose);
 
+/// Minus the derivative of the loads by small velocities (translation; rotation) of the centre of mass, in G, of lines
+/// that are all under tension and all on the hull: the most that their damping can be.
+Mat6 mooring_damping(const MooringModel& model, const MooringState& state, const Pose& pose);
+
 }  // namespace nilas::vessel
