@@ -1,11 +1,15 @@
-/// Separate timings of the stages of a step, on grids of touching floes: detection, water, assembly with solve.
+/// Separate timings of the stages of a step, on grids of touching floes: detection, water, assembly with solve. And of
+/// the sums whose bits do not depend on the order of their terms, beside a plain sum.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
+#include <vector>
 
 #include "contact/assemble.h"
 #include "contact/detect/detector.h"
 #include "contact/registry.h"
+#include "core/base/order_free_sum.h"
+#include "core/base/random.h"
 #include "hydro/modules.h"
 
 namespace {
@@ -83,5 +87,49 @@ void solve(benchmark::State& state) {
   state.SetItemsProcessed(state.iterations() * static_cast<int>(points.size()) * state.range(1));
 }
 BENCHMARK(solve)->Args({32, 10})->Args({32, 50})->Args({32, 200})->Unit(benchmark::kMillisecond);
+
+class PlainSum {
+ public:
+  void add(double x) { sum_ += x; }
+  double value() const { return sum_; }
+
+ private:
+  double sum_ = 0;
+};
+
+/// Terms without rounding errors of their order, as in OrderFreeSum, but with three units of the grid instead of four
+/// and a value that is rounded twice: what rounding once costs is the difference.
+class ThreeUnitSum {
+ public:
+  void add(double x) {
+    if (!(std::abs(x) < k_limit)) high_ = x - x;  // the grid of the product is lifted here
+    const double high = (k_high + x) - k_high, rest = x - high, middle = (k_middle + rest) - k_middle;
+    high_ += high;
+    middle_ += middle;
+    low_ += (k_low + (rest - middle)) - k_low;
+  }
+  double value() const { return high_ + (middle_ + low_); }
+
+ private:
+  static constexpr double k_high = 0x1.8p52, k_middle = 0x1.8p20, k_low = 0x1.8p-12, k_limit = 0x1p31;
+  double high_ = 0, middle_ = 0, low_ = 0;
+};
+
+/// Sums of as many terms; a contact has some four points, a step some thousand contacts.
+template <class Sum>
+void sum(benchmark::State& state) {
+  RandomStream random(1, "terms");
+  std::vector<double> terms(static_cast<std::size_t>(state.range(0)));
+  for (double& term : terms) term = 1e3 * random.normal();
+  for (auto _ : state) {
+    Sum all;
+    for (const double term : terms) all.add(term);
+    benchmark::DoNotOptimize(all.value());
+  }
+  state.SetItemsProcessed(state.iterations() * state.range(0));
+}
+BENCHMARK(sum<PlainSum>)->Arg(4)->Arg(64)->Arg(4096);
+BENCHMARK(sum<ThreeUnitSum>)->Arg(4)->Arg(64)->Arg(4096);
+BENCHMARK(sum<OrderFreeSum>)->Arg(4)->Arg(64)->Arg(4096);
 
 }  // namespace

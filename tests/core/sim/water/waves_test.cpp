@@ -88,6 +88,28 @@ TEST(Waves, ThreadsDoNotChangeBits) {
   for (int i = 0; i < 20; ++i) EXPECT_EQ(one.simulation.step().state_hash, two.simulation.step().state_hash);
 }
 
+/// The columns of a resumed run, of which the elevation of the waves is one, have the bits of a run without a break,
+/// from the first row on.
+TEST(Waves, AResumedRunHasTheSameRows) {
+  const std::string scene = scene_of("<waves kind='jonswap' height='0.3' period='4' ramp='1'/>",
+                                     "<buoyancy/><drag/><added_mass/><wave_loads/>");
+  SceneRig through(scene), part(scene), resumed(scene);
+  for (int i = 0; i < 20; ++i) {
+    through.simulation.step();
+    part.simulation.step();
+  }
+  State state;
+  part.simulation.save(StateWriter(state));
+  resumed.simulation.restore(StateReader(state));
+  for (int i = 0; i < 5; ++i) {
+    const sim::StepRecord a = through.simulation.step(), b = resumed.simulation.step();
+    ASSERT_EQ(a.module_values.size(), 1u);
+    EXPECT_NE(a.module_values[0], 0);
+    EXPECT_EQ(a.module_values, b.module_values) << i;
+    EXPECT_EQ(a.state_hash, b.state_hash) << i;
+  }
+}
+
 /// The log says how the waves are made and how ice weakens them.
 TEST(Waves, AreListed) {
   SceneRig rig(
