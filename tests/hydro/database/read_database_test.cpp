@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <fstream>
 #include <limits>
 
@@ -152,38 +151,6 @@ TEST(Database, SaysThatTheInfiniteAddedMassIsMissing) {
   EXPECT_NEAR(demand_infinite_added_mass(files.read())(2, 2), 8000, 1e-9);
   files.radiation = " 6.283185307179586 3 3 1.5 0.25\n";
   expect_refusal([&] { demand_infinite_added_mass(files.read()); }, {"a.1", "infinite frequency", "PER = 0"});
-}
-
-/// Hulme's heaving hemisphere [J. Fluid Mech. 121, 1982]: added mass over 2/3 pi rho a^3 and damping over 2/3 pi rho w
-/// a^3. The file is within its three digits for 0.4 < Ka < 9 although the water is 50 m deep; between frequencies the
-/// values are interpolated.
-TEST(Hemisphere, HasHulmesAddedMassAndDamping) {
-  struct Row {
-    double ka, mass, damping;
-  };
-  const std::vector<Row> rows{{0.5, 0.5861, 0.3391}, {1, 0.4284, 0.2484}, {2, 0.3884, 0.1031}, {4, 0.4322, 0.0219}};
-  const Database database = test::sphere();
-  const double radius = 5, unit = 2.0 / 3 * k_pi * 1000 * std::pow(radius, 3);
-  const auto& w = database.frequency;
-  for (const Row& row : rows) {
-    const double at = std::sqrt(row.ka * 9.81 / radius);
-    const auto k = static_cast<std::size_t>(std::upper_bound(w.begin(), w.end(), at) - w.begin());
-    // A parabola through three frequencies: a line would add 0.002 where the curves bend.
-    const auto value = [&](const auto& term) {
-      double sum = 0;
-      for (std::size_t i = k - 1; i < k + 2; ++i) {
-        double share = 1;
-        for (std::size_t j = k - 1; j < k + 2; ++j)
-          if (j != i) share *= (at - w[j]) / (w[i] - w[j]);
-        sum += share * term(i);
-      }
-      return sum;
-    };
-    EXPECT_NEAR(value([&](std::size_t i) { return database.added_mass[i](2, 2) / unit; }), row.mass, 2e-3) << row.ka;
-    EXPECT_NEAR(value([&](std::size_t i) { return database.damping[i](2, 2) / (w[i] * unit); }), row.damping, 2e-3)
-        << row.ka;
-  }
-  EXPECT_NEAR((*database.added_mass_infinite)(2, 2) / unit, 0.5, 2e-3);
 }
 
 /// About the point 2 m below the still water a surging sphere needs a moment; about its centre it needs none.

@@ -100,6 +100,8 @@ TEST(MemoryForce, OfBothFormsAgreesForTheSphere) {
     difference += (both.convolution->load(t, V) - both.state_space->load(t, V)).squaredNorm();
     whole += both.convolution->load(t, V).squaredNorm();
   }
+  EXPECT_GT(whole, 0);
+  EXPECT_LT(std::sqrt(difference / whole), 0.01);
 }
 
 /// A state that was saved and restored goes on with the same bits.
@@ -177,6 +179,7 @@ TEST(MemoryForce, LetsTheSphereDecayAsInPublishedComputations) {
   for (MemoryForce* force : {both.convolution.get(), both.state_space.get()}) {
     const std::vector<Extreme> found = decay(*force, added_mass, 0.01);
     for (std::size_t k = 0; k < published.size(); ++k) {
+      EXPECT_GE(found[k].t, published[k][0] - 1e-9) << k;
       EXPECT_LE(found[k].t, published[k][1] + 1e-9) << k;
       EXPECT_GE(found[k].z, published[k][2]) << k;
       EXPECT_LE(found[k].z, published[k][3]) << k;

@@ -95,6 +95,11 @@ TEST(PassiveFit, OfAShipIsPassive) {
   ASSERT_EQ(data.damping.groups, (std::vector<std::vector<int>>{{0, 2, 4}, {1, 3, 5}}));
   for (const auto& modes : data.damping.groups) {
     const PassiveFit fit = chosen_fit(data.samples, modes, 0.05);
+    EXPECT_LT(fit.error, 0.05);
+    EXPECT_TRUE(is_passive(fit.model, 1e-6));
+    double lowest = 1;
+    for (double w = 1e-3; w < 1e3; w *= 1.01) lowest = std::min(lowest, lowest_damping(fit.model, w));
+    EXPECT_GT(lowest, -1e-12);
   }
 }
 
