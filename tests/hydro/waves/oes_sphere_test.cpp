@@ -22,16 +22,18 @@ double at(const test::Table& table, const std::string& column, double w) {
 }
 
 /// The heave of the sphere in the ten regular waves of the task, in the frequency domain: |X| / |C - w^2 (m + A) + i w
-/// (B + damper)| with C = pi R^2 rho g. It is within the spread of the five programs, widened by 1 %, with and without
-/// damper, and within 1.1 % of InWave with HOTINT.
+/// (B + damper)| with C = pi R^2 rho g. Of 30 waves, with and without damper, 22 are within the spread of the five
+/// programs. The others are at most 0.11 % outside: the longest wave without damper is below, seven with a damper are
+/// above. Nowhere does it differ by more than 1.1 % from InWave with HOTINT.
 TEST(OesSphere, RegularWavesAreWithinTheSpreadOfThePrograms) {
   const std::string folder = std::string(NILAS_SOURCE_DIR) + "/tests/data/hydro/oes-sphere/";
   const test::Table heave(folder + "heave.csv"), published(folder + "responses.csv");
-  constexpr double k_mass = 261.8e3, k_radius = 5, k_weight = 9810, k_margin = 0.01;
+  constexpr double k_mass = 261.8e3, k_radius = 5, k_weight = 9810, k_margin = 1.1e-3;
   constexpr double k_pi = 3.14159265358979323846;
   const std::vector<std::string> programs{"inwave_hotint", "inwave_linear", "marin_nonlinear", "nrel_nonlinear",
                                           "proteusds_linear"};
   const auto& periods = published["period_s"];
+  int inside = 0;
   ASSERT_EQ(periods.size(), 30u);
   for (std::size_t row = 0; row < periods.size(); ++row) {
     const double w = 2 * k_pi / periods[row];
@@ -43,10 +45,12 @@ TEST(OesSphere, RegularWavesAreWithinTheSpreadOfThePrograms) {
     std::vector<double> others;
     for (const std::string& program : programs) others.push_back(published[program][row]);
     const auto [low, high] = std::minmax_element(others.begin(), others.end());
+    inside += response >= *low && response <= *high ? 1 : 0;
     EXPECT_GT(response, *low * (1 - k_margin)) << row;
     EXPECT_LT(response, *high * (1 + k_margin)) << row;
     EXPECT_NEAR(response / published["inwave_hotint"][row], 1, 0.011) << row;
   }
+  EXPECT_EQ(inside, 22);
 }
 
 }  // namespace oes_sphere_test

@@ -48,13 +48,15 @@ std::string sphere_stl(double half_volume) {
   return test::stl(vertices, faces);
 }
 
-/// The sphere of IEA OES Task 10, released 1 m above its rest. Its mesh displaces what that of the database does.
+/// The sphere of IEA OES Task 10, released `lift` [m] above its rest. Its mesh displaces what that of the database
+/// does.
 SceneRig sphere(const std::string& radiation, const std::string& more = "", int threads = 1, double step = 0.01,
-                const std::string& in_water = "") {
+                const std::string& in_water = "", double lift = 1) {
   return SceneRig("<time step='" + test::text(step) + "' end='1000'/>" + more + "<water density='1000'>" + in_water +
                       "</water><hydro><buoyancy/><added_mass vessel='database'/><database file='" + NILAS_SOURCE_DIR +
                       "/tests/data/hydro/hydrochrono/sphere.h5' origin='0 0 0'/>" + radiation +
-                      "</hydro><vessel name='sphere' hull='sphere.stl' position='0 0 1'><mass value='261800' "
+                      "</hydro><vessel name='sphere' hull='sphere.stl' position='0 0 " + test::text(lift) +
+                      "'><mass value='261800' "
                       "cog='0 0 -2' inertia='1.69e6 1.69e6 2.6e6 0 0 0'/></vessel>",
                   threads, {{"sphere.stl", sphere_stl(261.724)}});
 }
@@ -111,9 +113,29 @@ TEST(Radiation, LetsTheSphereDecayAsInPublishedComputations) {
   }
 }
 
-/// Heave per metre of wave in regular waves of small steepness, free of any damper: within the spread of five published
-/// computations, widened by 1 %. The amplitude is that at the wave's frequency over the last four of 30 periods.
+/// Heave per metre of wave: the amplitude at the wave's frequency over the last four of 30 periods.
+double heave_response(double period, double height) {
+  const int per_period = 200, before = 26 * per_period, during = 4 * per_period;
+  SceneRig rig = sphere("<restoring/><radiation/><wave_loads vessel='database' floes='none'/>",
+                        "<contact integrator='moreau'/>", 1, period / per_period,
+                        "<waves height='" + test::text(height) + "' period='" + test::text(period) + "' ramp='" +
+                            test::text(5 * period) + "'/>",
+                        0);
+  std::complex<double> sum = 0;
+  for (int k = 1; k <= before + during; ++k) {
+    rig.simulation.step();
+    const std::complex<double> turn = std::exp(std::complex<double>(0, -2 * k_pi * k / per_period));
+    if (k > before) sum += (rig.bodies().p_GB[0].z() + 2) * turn;
+  }
+  return 2 * std::abs(sum) / during / (0.5 * height);
+}
+
+/// Regular waves 1 to 10, free of any damper. The waves are so low that the sphere, which nothing holds, stays where it
+/// is: in waves of 0.1 m it gets under way in the ramp and meets others than those of the table. Nine responses are
+/// within the spread of five published computations as it is. In waves of 11 s it is 1.0067, as linear theory of deep
+/// water has it, and all five are above: the lowest by 0.11 %.
 TEST(Radiation, LetsTheSphereFollowRegularWavesAsInPublishedComputations) {
+  constexpr double k_height = 1e-3, k_longest = 11, k_beyond = 1.1e-3;
   std::ifstream table(std::string(NILAS_SOURCE_DIR) + "/tests/data/hydro/oes-sphere/responses.csv");
   std::string line;
   std::getline(table, line);
@@ -127,22 +149,10 @@ TEST(Radiation, LetsTheSphereFollowRegularWavesAsInPublishedComputations) {
     if (damper != 0 || steepness > 0.01) continue;
     ASSERT_EQ(published.size(), 5);
     ++rows;
-    const int per_period = 200, before = 26 * per_period, during = 4 * per_period;
-    const double step = period / per_period, height = 0.1;
-    SceneRig rig = sphere("<restoring/><radiation/><wave_loads vessel='database' floes='none'/>",
-                          "<contact integrator='moreau'/>", 1, step,
-                          "<waves height='" + test::text(height) + "' period='" + test::text(period) + "' ramp='" +
-                              test::text(5 * period) + "'/>");
-    std::complex<double> sum = 0;
-    for (int k = 1; k <= before + during; ++k) {
-      rig.simulation.step();
-      const std::complex<double> turn = std::exp(std::complex<double>(0, -2 * k_pi * k / per_period));
-      if (k > before) sum += (rig.bodies().p_GB[0].z() + 2) * turn;
-    }
-    const double heave = 2 * std::abs(sum) / during / (0.5 * height);
+    const double heave = heave_response(period, k_height);
     const auto [least, most] = std::minmax_element(published.begin(), published.end());
-    EXPECT_GE(heave, 0.99 * *least) << period << " s";
-    EXPECT_LE(heave, 1.01 * *most) << period << " s";
+    EXPECT_GE(heave, (period == k_longest ? 1 - k_beyond : 1) * *least) << period << " s";
+    EXPECT_LE(heave, *most) << period << " s";
   }
   EXPECT_EQ(rows, 10);
 }
