@@ -65,7 +65,7 @@ struct Case {
   std::string id() const { return family + std::to_string(number); }
 };
 
-/// Returns the title of a family, 'A' to 'H'. Throws ContractError for any other letter.
+/// Returns the title of a family, 'A' to 'I'. Throws ContractError for any other letter.
 std::string family_title(char family);
 
 /// Returns all cases, sorted by number.

@@ -23,6 +23,8 @@ std::string family_title(char family) {
       return "Invariances";
     case 'H':
       return "Crushing";
+    case 'I':
+      return "Water that moves with bodies";
     default:
       break;
   }
@@ -32,8 +34,8 @@ std::string family_title(char family) {
 const std::vector<Case>& catalogue() {
   static const std::vector<Case> all = [] {
     std::vector<Case> cases;
-    for (const auto& family :
-         {point_friction(), rolling(), free_bodies(), statics(), impacts(), floating(), invariances(), crushing()})
+    for (const auto& family : {point_friction(), rolling(), free_bodies(), statics(), impacts(), floating(),
+                               invariances(), crushing(), water()})
       cases.insert(cases.end(), family.begin(), family.end());
     std::sort(cases.begin(), cases.end(), [](const Case& a, const Case& b) { return a.number < b.number; });
     return cases;

@@ -15,6 +15,7 @@ std::vector<Case> impacts();
 std::vector<Case> floating();
 std::vector<Case> invariances();
 std::vector<Case> crushing();
+std::vector<Case> water();
 
 /// Collects the cases of a family.
 class FamilyOfCases {
