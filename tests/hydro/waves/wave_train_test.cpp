@@ -149,6 +149,10 @@ TEST(WaveTrain, RatesUnderIceAreThoseOfTheModels) {
   EXPECT_EQ(ice.energy_rate(10), 3e-4);
   ice.model = WaveAttenuation::meylan;
   EXPECT_NEAR(ice.energy_rate(10), 2.579e-5, 1e-12);
+  // Of the same sea at 16 times its lengths, as many wave lengths pass until it is as weak.
+  const double whole = ice.energy_rate(10);
+  ice.scale = 16;
+  EXPECT_EQ(ice.energy_rate(40), whole / 16);
 }
 
 /// Froude's law: over like distances waves of like periods lose the same share, at 1:40 and 16:1 of the measured
