@@ -33,8 +33,7 @@ static void check_ship_coefficients(const SceneElement& element, std::vector<Fau
   if (length && file && !preset)
     faults.push_back(
         fault_of(element, "length", "found with a file, which has its own length_m; allowed: with a preset"));
-  const SceneAttribute* propulsion = attribute_of(element, "propulsion");
-  if (propulsion && propulsion->given && preset && !file)
+  if (attribute_of(element, "propulsion") && preset && !file)
     faults.push_back(fault_of(element, "propulsion", "found with a preset, which has its own; allowed: with a file"));
 }
 
@@ -70,6 +69,8 @@ static void check_manoeuvre(const SceneElement& vessel, const SceneElement& elem
       faults.push_back(fault_of(element, "nothing here has a rudder and a propeller; allowed: with <manoeuvring>"));
     return;
   }
+  if (const SceneElement* control = child_of(vessel, "control"); control && text_of(*control, "mode") == "dp")
+    faults.push_back(fault_of(element, "found <control mode=\"dp\">, which gives commands too; allowed: one of them"));
   const auto kind = choice_of<ManoeuvreKind>(element, "kind");
   const auto angle = number_of(element, "angle_deg"), most = number_of(*manoeuvring, "max_rudder_deg");
   if (angle && most && std::abs(*angle) > *most)

@@ -3,6 +3,13 @@
 
 namespace nilas::scene::schema_table {
 
+/// It has no default value: in the scene of a run folder, that would stand beside a preset, which does not take it.
+static AttributeSpec propulsion() {
+  AttributeSpec attribute = choice<PropulsionKind>("propulsion", "It selects what drives a ship from a file.");
+  attribute.default_note = "open-water";
+  return attribute;
+}
+
 static ElementSpec manoeuvring() {
   const ManoeuvringScene values;
   return {
@@ -25,7 +32,7 @@ static ElementSpec manoeuvring() {
            .scaled_file = true,
            .doc = "This CSV file with the columns name,value has the coefficients of a ship. The page on manoeuvring "
                   "lists the names."},
-          choice("propulsion", values.propulsion, "It selects what drives a ship from a file."),
+          propulsion(),
           {.name = "midship",
            .unit = "m",
            .default_note = "the middle of the hull's length",

@@ -81,6 +81,20 @@ TEST(CheckManoeuvring, CoefficientsComeFromOnePlace) {
                "<vessel><manoeuvring propulsion>", {"with a file"});
 }
 
+/// A run folder holds the scene with its defaults, and a run that is resumed reads it again.
+TEST(CheckManoeuvring, ASceneOfARunFolderIsReadAgain) {
+  const SceneFolder folder;
+  const Scene scene = folder.read(vessel_with(k_ship + "<manoeuvre kind='zigzag'/>"));
+  EXPECT_NO_THROW(folder.read(scene.as_run));
+}
+
+TEST(CheckManoeuvring, PositioningGivesCommandsToo) {
+  expect_fault(faults_of(k_ship + "<manoeuvre/><thrusters><thruster name='a' kind='azimuth' at='1 0 0' max_thrust='1' "
+                                  "power='1'/><thruster name='b' kind='azimuth' at='-1 0 0' max_thrust='1' "
+                                  "power='1'/></thrusters><control mode='dp'/>"),
+               3, "<vessel><manoeuvre>", {"found <control mode=\"dp\">", "one of them"});
+}
+
 TEST(CheckManoeuvring, NeedsAFreeVesselInWater) {
   expect_fault(faults_of(k_ship + "<carriage/>"), 3, "<vessel><manoeuvring>", {"found <carriage>", "a free vessel"});
   expect_fault(faults_of(k_ship + "<fixed/>"), 3, "<vessel><manoeuvring>", {"found <fixed>"});
