@@ -28,6 +28,8 @@ class Manoeuvring : public bodies::ForceModule {
 
   std::string name() const override { return "manoeuvring"; }
   bodies::VesselLoad load_on_vessel() const override { return bodies::VesselLoad::water; }
+  /// The propeller sets the vessel in motion, but free ice at no one velocity.
+  std::optional<Vec3> drift() const override { return Vec3::Zero(); }
   std::optional<Mat6> vessel_added_mass() const override { return added_mass(added_, settings_.midship); }
 
   void add_forces(const bodies::Bodies& bodies, double /*t*/, bodies::Wrenches& out) override {

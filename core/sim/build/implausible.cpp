@@ -87,7 +87,8 @@ class Doubts {
     if (floes > 0 && scene_.ice)
       doubt("ice",
             fmt::format("{} free floes have weight but no buoyancy, so they fall; add <hydro><buoyancy/>", floes));
-    if (scene_.vessel && !scene_.vessel->fixed && !held_in_heave())
+    const bool restored = scene_.hydro && scene_.hydro->restoring;
+    if (scene_.vessel && !scene_.vessel->fixed && !held_in_heave() && !restored)
       doubt("vessel", "the vessel has weight but no buoyancy, so it falls; add <hydro><buoyancy/>");
   }
 

@@ -27,6 +27,8 @@ class RemoteControl : public bodies::Module {
 
   std::string name() const override { return "remote_control"; }
   bool exerts_loads() const override { return settings_.force; }
+  /// The other program sets the vessel in motion, but free ice at no one velocity.
+  std::optional<Vec3> drift() const override { return Vec3::Zero(); }
 
   void add_forces(const bodies::Bodies& bodies, double /*t*/, bodies::Wrenches& out) override {
     if (!settings_.force) return;

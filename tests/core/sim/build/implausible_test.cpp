@@ -79,6 +79,29 @@ TEST_F(Implausible, NothingThatMoves) {
   expect_warning(k_wet + towed("") + k_floe, "<vessel>", "nothing drives ice and vessel");
 }
 
+/// A propeller sets a ship in motion that starts at rest, and so may a program outside.
+TEST_F(Implausible, AShipThatDrivesItselfIsNot) {
+  for (const std::string drive : {"<manoeuvring preset='kvlcc2' length='3' midship='1.5'/><manoeuvre kind='course' "
+                                  "speed='0.5'/>",
+                                  "<remote_control socket='no.sock' force='true'/>"})
+    for (const Fault& warning : warnings(k_wet + towed(drive) + k_floe))
+      EXPECT_EQ(warning.message.find("nothing drives"), std::string::npos) << warning.text();
+}
+
+/// The hydrostatics of a database carry a vessel without the pressure on its mesh.
+TEST_F(Implausible, AVesselThatADatabaseCarriesDoesNotFall) {
+  const auto fall = [&](const std::string& hydro) {
+    const auto all = warnings("<water density='1000'/><hydro>" + hydro + "<database file='" + NILAS_SOURCE_DIR +
+                              "/tests/data/hydro/wec-sim/sphere.1' length='1' density='1000' gravity='9.81' "
+                              "depth='50' origin='1.5 0 0.3'/></hydro><vessel position='0 0 -0.3' velocity='1 0 0'>"
+                              "<hull length='3' beam='0.6'/><mass value='261800'/></vessel>");
+    return std::any_of(all.begin(), all.end(),
+                       [](const Fault& w) { return w.message.find("so it falls") != std::string::npos; });
+  };
+  EXPECT_TRUE(fall(""));
+  EXPECT_FALSE(fall("<restoring/>"));
+}
+
 TEST_F(Implausible, ACourseThatNeverMeetsIceOrLeavesIt) {
   expect_warning(k_wet + towed("<carriage speed='0.1' free='heave'/>") + k_floe, "<vessel><carriage speed>",
                  "does not reach the ice within the run");
