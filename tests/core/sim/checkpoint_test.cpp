@@ -7,11 +7,11 @@
 #include <bit>
 #include <limits>
 
-#include "contact/measure/measure.h"
 #include "core/base/error.h"
 #include "core/hdf5/hdf5_file.h"
 #include "core/scene/read/read_scene.h"
 #include "core/sim/simulation.h"
+#include "tests/core/sim/together/step_bits.h"
 #include "tests/support/file_text.h"
 #include "tests/support/refusal.h"
 #include "tests/support/scratch_folder.h"
@@ -24,48 +24,7 @@ namespace fs = std::filesystem;
 
 const CheckpointOrigin k_origin{"nilas of the tests", "a build", "a fingerprint"};
 
-/// Everything a step leaves but its times, as bits.
-class Bits {
- public:
-  explicit Bits(const StepRecord& record) {
-    add(record.step, record.floes, record.contacts, record.islands, record.iterations, record.solver_short,
-        record.positions_corrected, record.detection.fallbacks, static_cast<int>(record.status));
-    words_.push_back(record.state_hash);
-    for (const auto& residual : contact::residual_columns()) add(record.residuals.*residual.member);
-    const Ledger& l = record.ledger;
-    add(record.t, record.penetration_max, record.penetration_mean, record.momentum_imbalance, record.momentum_scale,
-        record.angular_momentum_imbalance, record.angular_momentum_scale, l.kinetic, l.potential, l.friction, l.impact,
-        l.stabilisation, l.fracture, l.crushing, l.integrator, l.imbalance);
-    for (const fracture::FractureEvent& event : record.broken) {
-      add(event.floe, event.p_G.x(), event.p_G.y(), event.energy, event.length, event.radius, event.ratio, event.brash);
-      for (const std::int64_t piece : event.pieces) add(piece);
-    }
-    for (const double work : l.works) add(work);
-    if (record.vessel) add_vessel(*record.vessel);
-  }
-  friend bool operator==(const Bits&, const Bits&) = default;
-
- private:
-  template <class... Values>
-  void add(const Values&... values) {
-    (words_.push_back(std::bit_cast<std::uint64_t>(static_cast<double>(values))), ...);
-  }
-  void add_wrench(const Wrench& w) {
-    add(w.force.x(), w.force.y(), w.force.z(), w.torque.x(), w.torque.y(), w.torque.z());
-  }
-  void add_vessel(const VesselRecord& vessel) {
-    add_wrench(vessel.contact);
-    add_wrench({vessel.contact_port, vessel.contact_starboard});
-    add_wrench({vessel.state.pose.p, vessel.state.v});
-    add_wrench({vessel.state.w, vessel.state.pose.q.vec()});
-    if (vessel.hydro) add_wrench(*vessel.hydro);
-    if (!vessel.carriage) return;
-    add_wrench(vessel.carriage->about_com);
-    add_wrench(vessel.carriage->about_joint);
-    for (const double cell : vessel.carriage->cells) add(cell);
-  }
-  std::vector<std::uint64_t> words_;
-};
+using Bits = test::StepBits;
 
 struct Case {
   const char* name;
