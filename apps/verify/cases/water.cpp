@@ -54,7 +54,7 @@ std::vector<Quantity> free_hull(const Setting& s) {
   const BodyState hull = run.body("hull");
   const Vec3 along = hull.q * Vec3::UnitX(), across = hull.q * Vec3::UnitY();
   const Vec3 at_end = m1 * hull.v.dot(along) * along + m2 * hull.v.dot(across) * across;
-  return {{"yaw after 10 s [rad]", std::atan2(along.y(), along.x()), yaw},
+  return {{"yaw after 10 s [rad]", std::atan2(along.y(), along.x()), yaw, 1},
           {"change of the momentum of hull and water [N s]", (at_end - momentum).norm(), 0, momentum.norm()}};
 }
 

@@ -23,6 +23,14 @@ int place_of(std::int64_t id, const bodies::Bodies& bodies) {
   return found != bodies.id.end() && *found == id ? static_cast<int>(found - bodies.id.begin()) : -1;
 }
 
+/// The integrator "reference" solves for accelerations, and keeps no impulses of a step.
+bool has_impulses(const contact::SolvedProblem& solved) {
+  const std::size_t n = solved.points.size();
+  const auto rows = 3 * static_cast<Eigen::Index>(n);
+  return solved.impulses.size() == n && solved.touching.size() == n && solved.problem.mu.size() >= n &&
+         solved.solution.r.size() >= rows && solved.solution.u.size() >= rows;
+}
+
 /// The contacts of a step, gathered over its substeps.
 class Gathering {
  public:
@@ -30,6 +38,7 @@ class Gathering {
       : bodies_(bodies), choice_(choice), h_(h), joined_(bodies.id.size()), residual_(bodies.id.size(), 0) {}
 
   void add(const contact::SolvedProblem& solved) {
+    if (!has_impulses(solved)) return;
     const std::vector<ContactRow> rows = contact_rows(solved, choice_.loaded, true);
     iterations_ += solved.solution.iterations;
     for (std::size_t i = 0; i < rows.size(); ++i) {

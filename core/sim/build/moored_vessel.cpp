@@ -92,10 +92,9 @@ class LineJudge {
   void judge_bed(std::size_t k, const Vec3& fairlead) const {
     const std::optional<double> resting = vessel::axis_on_bed(mooring_.lines[k], mooring_.bed);
     if (!resting || fairlead.z() >= *resting) return;
-    const std::string axis =
-        *resting > *mooring_.bed ? fmt::format(", where the axis of the line lies at {:.4g} m", *resting) : "";
-    refuse(k, fmt::format("the fairlead is at the height {:.4g} m at the start, below the sea bed at {:.4g} m{}",
-                          fairlead.z(), *mooring_.bed, axis));
+    const char* what = *resting > *mooring_.bed ? "the axis of a line on the sea bed" : "the sea bed";
+    refuse(k, fmt::format("the fairlead is at the height {:.4g} m at the start, below {} at {:.4g} m", fairlead.z(),
+                          what, *resting));
   }
   void judge_stretch(std::size_t k, const Vec3& fairlead) const {
     constexpr double k_most_strain = 0.05, k_percent = 100;  // chains and wires break at 1 to 2 %

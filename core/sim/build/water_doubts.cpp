@@ -32,11 +32,13 @@ void judge_restoring(const scene::Scene& scene, const WorldParts& parts, std::ve
     const hydro::FloatingEquilibrium rest =
         hydro::floating_equilibrium(*parts.bodies.shape[b], parts.bodies.mass[b], upright, *parts.water);
     if (std::abs(rest.trim) <= k_level && std::abs(rest.heel) <= k_level) return;
-    doubts.push_back({"hydro/restoring",
-                      fmt::format("the mesh of the hull floats with a trim of {:.3g} deg, positive by the bow, and "
-                                  "a heel of {:.3g} deg, but the linear hydrostatics of the database hold about "
-                                  "the level attitude; place the centre of mass above that of buoyancy",
-                                  rest.trim / k_deg, rest.heel / k_deg)});
+    doubts.push_back(
+        {"hydro/restoring",
+         fmt::format(
+             "the mesh of the hull floats with a trim of {:.3g} deg, positive by the bow, and "
+             "a heel of {:.3g} deg, but the linear hydrostatics of the database hold about "
+             "the level attitude; place the centre of mass on the vertical through the mesh's centre of buoyancy",
+             rest.trim / k_deg, rest.heel / k_deg)});
   } catch (const InputError& error) {
     doubts.push_back({"hydro/restoring", std::string("the mesh of the hull has no rest afloat that the linear "
                                                      "hydrostatics could stand for: ") +

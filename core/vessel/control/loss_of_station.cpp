@@ -36,10 +36,11 @@ std::string LossOfStation::seen() const {
   return fmt::format(
       "The thrusters gave less than the control wanted in {:.0f} % of the time, and the {} that was wanted then {}",
       k_percent * short_share(), moment_time_ > force_time_ ? "moment" : "force",
-      one_way() ? "pointed one way: the loads on the vessel exceed the thrusters; allowed: stronger thrusters, fewer "
-                  "failures, or weaker ice, current and wind"
-                : "swung to and fro: the control diverges; allowed: a lower <control bandwidth>, or a shorter "
-                  "sensor_period, sensor_delay or lag of the thrusters");
+      one_way() ? "pointed one way: the loads on the vessel exceed the thrusters, or the control diverged in its first "
+                  "swing; allowed: stronger thrusters, fewer failures, weaker ice, current and wind, or a lower "
+                  "<control bandwidth>"
+                : "swung to and fro: the control diverges; allowed: a lower <control bandwidth>, a shorter "
+                  "sensor_period, sensor_delay or lag of the thrusters, or a damping that suits the vessel");
 }
 
 std::string LossOfStation::text() const {

@@ -22,7 +22,9 @@ std::vector<Vec3> line_shape(const MooringLine& line, std::optional<double> bed,
     return run * away + rise * Vec3::UnitZ();
   };
   const Vec3 lowest = fairlead - above_foot(hanging);
-  std::vector<Vec3> points{line.anchor};
+  Vec3 start = line.anchor;
+  if (const auto resting = axis_on_bed(line, bed)) start.z() = std::max(start.z(), *resting);
+  std::vector<Vec3> points{start};
   for (int k = 0; k <= k_pieces; ++k) points.push_back(lowest + above_foot(hanging * k / k_pieces));
   return points;
 }

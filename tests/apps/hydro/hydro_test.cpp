@@ -89,10 +89,12 @@ TEST(Hydro, CompletesADatabase) {
       lacking << row << "\n";
   }
   lacking.close();
+  for (const char* kind : {".3", ".hst"})
+    std::filesystem::copy_file(folder / (std::string("whole") + kind), folder / (std::string("lacking") + kind));
   EXPECT_EQ(left_out, 36);
   const std::string read = "hydro lacking.1 --length 1 --density 1025 --gravity 9.81";
   EXPECT_TRUE(hydro_json(folder, read)["modes"][2]["added_mass_infinite"].is_null());
-  const auto made = run_nilas(read + " --complete --out completed.h5", folder.path());
+  const auto made = run_nilas(read + k_fpso_body + " --complete --out completed.h5", folder.path());
   EXPECT_EQ(made.exit_code, 0) << made.err;
   EXPECT_TRUE(mentions(made.err, "Ogilvie's relation")) << made.err;
   const double own = hydro_json(folder, k_fpso)["modes"][2]["added_mass_infinite"];

@@ -146,7 +146,7 @@ TEST(CarriageBalance, RampLoadIsMassTimesAcceleration) {
     const double wanted = example::k_mass * speed / ramp;
     for (int i = 0; i < 550; ++i) {
       const Vec3 before = system.state().v;
-      example::step(system, {}, k_h);
+      example::step(system, Wrench{}, k_h);
       const CarriageLoads& read = system.carriage_loads();
       const Vec3 own = example::k_mass * (system.state().v - before) / k_h;
       ASSERT_LT((read.about_com.force - own).norm(), 1e-9 * wanted);
@@ -209,11 +209,11 @@ TEST(CarriageBalance, SwingingReactionIsTheAveragedLaw) {
   model.carriage->damping = 0;
   VesselSystem system(model, 0);
   const double a = 45 * k_h, average = std::pow(std::sin(0.5 * a) / (0.5 * a), 2);
-  example::step(system, {}, k_h, {Quat(Eigen::AngleAxisd(0.3, Vec3::UnitZ())) * Vec3(2, 0, 0), Vec3::Zero()});
+  example::step(system, Wrench{}, k_h, {Quat(Eigen::AngleAxisd(0.3, Vec3::UnitZ())) * Vec3(2, 0, 0), Vec3::Zero()});
   constexpr int k_surge = 3;
   for (int i = 0; i < 300; ++i) {
     const double x = system.coordinates()[k_surge];
-    example::step(system, {}, k_h);
+    example::step(system, Wrench{}, k_h);
     ASSERT_NEAR(system.carriage_loads().cells[0], -model.carriage->stiffness * average * x, 1e-7);
   }
 }

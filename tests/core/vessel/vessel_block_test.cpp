@@ -75,7 +75,7 @@ TEST(VesselBlock, RigidVesselIsPrescribed) {
   VesselSystem system(model, 0);
   for (int i = 0; i < 150; ++i) {
     const Pose before = system.state().pose;
-    const VesselBlock block = example::step(system, {}, k_h, {{1, 2, 3}, {4, 5, 6}});
+    const VesselBlock block = example::step(system, Wrench{}, k_h, {{1, 2, 3}, {4, 5, 6}});
     EXPECT_EQ(block.mass.size() + block.f.size() + block.hull.jacobian.size(), 0);
     ASSERT_LT(((system.state().pose.p - before.p) / k_h - block.hull.prescribed.head<3>()).norm(), 1e-12);
     const Eigen::AngleAxisd turn(system.state().pose.q * before.q.conjugate());

@@ -50,7 +50,7 @@ TEST(VesselFree, TorqueFreeRotationKeepsAngularMomentum) {
   const double energy = spin_energy(model, system.state());
   double worst_energy = 0, last_energy = 0, fastest = 0;
   for (int i = 0; i < 10000; ++i) {
-    example::step(system, {}, k_h);
+    example::step(system, Wrench{}, k_h);
     ASSERT_LT((example::angular_momentum(model, system.state()) - L).norm(), 1e-12 * L.norm());
     last_energy = std::abs(spin_energy(model, system.state()) / energy - 1);
     worst_energy = std::max(worst_energy, last_energy);

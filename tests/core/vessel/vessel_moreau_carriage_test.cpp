@@ -118,7 +118,7 @@ TEST(VesselMoreauCarriage, ARampLeavesAFreeAxisAtRest) {
   model.carriage->motion = CarriageMotion::straight(start, 0.3, 0.6, 0.3, 2, 0);
   VesselSystem system(model, 0);
   for (int i = 0; i < 300; ++i) {
-    example::step(system, {}, k_h);
+    example::step(system, Wrench{}, k_h);
     ASSERT_LT(system.state().v.norm(), 1e-13);
     ASSERT_LT((system.state().pose.p - start).norm(), 0.3 * k_h * k_h / 8 + 1e-12);
   }

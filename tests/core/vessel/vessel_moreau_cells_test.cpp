@@ -32,7 +32,7 @@ TEST(VesselMoreauCells, MiddlePosesFollowTheExactMotion) {
     for (const double a : {0.05, 0.5, 1.5})
       for (const double zeta : {0.0, 0.05, 0.7}) {
         VesselSystem system(one_cell(a, zeta, theta), 0);
-        example::step(system, {}, k_h, {ahead(2), Vec3::Zero()});
+        example::step(system, Wrench{}, k_h, {ahead(2), Vec3::Zero()});
         const double fall = std::exp(-zeta * a), turn = std::cos(a * std::sqrt(1 - zeta * zeta));
         double x = 0, before = 0, largest = 0;
         for (int i = 0; i < 300; ++i) {
@@ -68,7 +68,7 @@ TEST(VesselMoreauCells, AConstantLoadRestsExactly) {
 TEST(VesselMoreauCells, SwingingReactionIsTheAveragedLaw) {
   VesselSystem system(one_cell(0.45, 0, 0.5), 0);
   const double stiffness = example::k_mass * 45 * 45, average = std::pow(std::sin(0.225) / 0.225, 2);
-  example::step(system, {}, k_h, {ahead(2), Vec3::Zero()});
+  example::step(system, Wrench{}, k_h, {ahead(2), Vec3::Zero()});
   for (int i = 0; i < 300; ++i) {
     system.move_before_impulses(k_h);
     const double x = system.coordinates()[k_surge];
@@ -93,7 +93,7 @@ TEST(VesselMoreauCells, AreStableAtAnyStiffnessAndStep) {
             RandomStream random(5, "stability");
             for (int i = 0; i < 200; ++i) {
               // the same impulses, whatever the step
-              example::step(system, {}, h, example::random_wrench(random, 1));
+              example::step(system, Wrench{}, h, example::random_wrench(random, 1));
               ASSERT_LT(system.state().v.norm() + system.state().w.norm(), 5) << k << " " << h << " " << damping_time;
             }
           }
@@ -130,7 +130,7 @@ TEST_F(VesselMoreauRamp, CellForceIsTheClosedForm) {
     VesselSystem system(towed(m * omega * omega, 2 * zeta * omega * m, theta), 0);
     double largest = 0;
     for (int i = 0; i < static_cast<int>(std::lround(3 / h)); ++i) {
-      example::step(system, {}, h);
+      example::step(system, Wrench{}, h);
       const double t = system.time() - 0.5 * h;
       largest = std::max(largest, std::abs(system.carriage_loads().cells[0] - after_step(t) + after_step(t - k_ramp)));
     }
@@ -150,7 +150,7 @@ TEST_F(VesselMoreauRamp, LoadIsMassTimesAccelerationAtAnyStiffness) {
       VesselSystem system(towed(k, 1e-3 * k + 2e4, theta), 0);
       for (int i = 0; i < 200; ++i) {
         const Vec3 before = system.state().v;
-        example::step(system, {}, k_h);
+        example::step(system, Wrench{}, k_h);
         const CarriageLoads& read = system.carriage_loads();
         const Vec3 own = example::k_mass * (system.state().v - before) / k_h;
         ASSERT_LT((read.about_com.force - own).norm(), 1e-9 * wanted);

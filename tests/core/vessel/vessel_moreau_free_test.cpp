@@ -55,7 +55,7 @@ TEST(VesselMoreauFree, TorqueFreeRotationKeepsAngularMomentumAndEnergy) {
   const double energy = 0.5 * model.w.dot(L);
   double worst_momentum = 0, worst_energy = 0;
   for (int i = 0; i < 1000000; ++i) {
-    example::step(system, {}, k_h);
+    example::step(system, Wrench{}, k_h);
     const VesselState& state = system.state();
     const Vec3 now = example::angular_momentum(model, state);
     worst_momentum = std::max(worst_momentum, (now - L).norm() / L.norm());

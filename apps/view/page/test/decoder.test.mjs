@@ -39,7 +39,7 @@ test('a decoded frame has the values that were written, within half a quantum', 
   const { recording, store, isCut } = await read(bytes);
   assert.equal(isCut, false);
   assert.equal(recording.end, 70);
-  assert.equal(recording.endReason, 'It reached its end time.');
+  assert.equal(recording.endReason, 'The run reached its end.');
   for (let i = 0; i < frames.length; ++i) {
     const frame = await store.get(i), wanted = frames[i];
     assert.equal(frame.time, wanted.time);

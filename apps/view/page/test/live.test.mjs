@@ -63,7 +63,7 @@ class Run {
 
   state(state) { this.#send(piece('L', state)); }
   end() {
-    this.#send(this.scene.writer.add('E', { reason: 'It reached its end time.' }));
+    this.#send(this.scene.writer.add('E', { reason: 'The run reached its end.' }));
     for (const viewer of this.viewers) viewer.end();
   }
 
@@ -157,7 +157,7 @@ check('it connects again, says when the run ended, and can then still be moved',
   await until(page, () => !window.nilas.notices.some((text) => text.includes('was lost')));
   await until(page, (last) => window.nilas.frame === last, before + 1);
   run.end();
-  await says(page, 'The run has ended. It reached its end time.');
+  await says(page, 'The run reached its end.');
   await page.evaluate(() => window.nilas.seekFrame(2));
   assert.equal(await page.evaluate(() => window.nilas.frame), 2);
   // A stream that breaks off is a fault for the browser's console, and meant here.

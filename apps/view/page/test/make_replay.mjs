@@ -169,7 +169,7 @@ export function makeReplay(options = {}) {
     const { frame } = scene.step(i);
     if (options.keepsFrames !== false) frames.push(frame);
   }
-  scene.writer.add('E', { reason: 'It reached its end time.' });
+  scene.writer.add('E', { reason: 'The run reached its end.' });
   return { bytes: scene.writer.bytes(), frames, scene };
 }
 

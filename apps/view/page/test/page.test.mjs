@@ -106,7 +106,8 @@ check('the picture shows ice, hull and water, and changes with the time', async 
 check('every switch can be turned, and each leaves its trace', async () => {
   const { page, faults } = await open(write('switches', replay.bytes) + '#t=2', { width: 900, height: 560 });
   const trace = await page.evaluate(async () => {
-    const { nilas } = window, read = () => ({ ...nilas.state(), calls: nilas.stats().drawCalls, image: nilas.capture() }), result = {};
+    const { nilas } = window, read = () => ({ ...nilas.state(), calls: nilas.stats().drawCalls, image: nilas.capture(),
+                                              page: document.getElementById('page').innerHTML }), result = {};
     for (const [name, value] of Object.entries(nilas.options())) {
       const input = document.querySelector(`[data-option="${name}"]`);
       if (!input) continue;
@@ -115,7 +116,7 @@ check('every switch can be turned, and each leaves its trace', async () => {
       result[name] = values.map((v) => {
         nilas.set(name, v);
         const now = read();
-        return now.image !== before.image || now.calls !== before.calls;
+        return now.image !== before.image || now.calls !== before.calls || now.page.length !== before.page.length;
       });
       nilas.set(name, value);
     }

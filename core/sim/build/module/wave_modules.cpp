@@ -33,7 +33,6 @@ hydro::WaveTrain train_of(const scene::Scene& scene, const scene::WaveScene& giv
   }
   train.ice.model = given.attenuation;
   train.ice.rate = given.attenuation_rate;
-  train.ice.scale = scene.scale;
   train.ice.edge = given.ice_edge.value_or(Vec2::Zero());
   train.ice.inward = hydro::wave_direction(given.ice_edge_deg.value_or(given.heading_deg) * k_deg);
   train.ice.scale = scene.scale;

@@ -103,6 +103,14 @@ TEST_F(ReplayContactsTest, AContactOfABrokenFloeStaysWithTheVessel) {
   EXPECT_EQ(list.contacts[0].second, 1) << "the other body is gone";
 }
 
+TEST_F(ReplayContactsTest, PointsWithoutImpulsesAreLeftOut) {
+  touch(solved_, bodies_, 0, 2, Vec3(1, 2, 3));
+  solved_.solution = {};
+  EXPECT_TRUE(gathered().contacts.empty());
+  solved_.impulses.clear();
+  EXPECT_TRUE(gathered().contacts.empty());
+}
+
 TEST_F(ReplayContactsTest, ForcesAndPointsAreReadBack) {
   touch(solved_, bodies_, 0, 2, Vec3(1, 2, 3));
   touch(solved_, bodies_, 4, 5, Vec3(-7, 3, 1e3));

@@ -190,8 +190,9 @@ TEST(Thrusters, SamplesOfPositioningTakeAtLeastAStep) {
     return folder.faults(text.replace(text.find("<vessel>"), 0, time));
   };
   const std::string at = "<vessel><control sensor_period>";
-  expect_fault(faults("0.005", ""), 5, at, {"0.005", "shorter than the time step", "at least 0.01 [s]"});
-  EXPECT_TRUE(faults("0.01", "").empty());
+  // A hull of this length has a step of 0.05 s by default.
+  expect_fault(faults("0.005", ""), 5, at, {"0.005", "shorter than the time step", "at least 0.05 [s]"});
+  EXPECT_TRUE(faults("0.05", "").empty());
   expect_fault(faults("0.3", "<time step='0.5'/>"), 5, at, {"at least 0.5 [s]"});
 }
 

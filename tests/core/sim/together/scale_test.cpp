@@ -61,7 +61,7 @@ const std::string k_waves =
     "ice_edge='105 0'/></water>";
 
 TEST(Scale, LeavesTheBitsOfAMooredShipThatHoldsItsStation) {
-  expect_same_bits(k_time + contact() + k_waves +
+  expect_same_bits(k_begin + contact() + k_waves +
                        "<hydro><buoyancy/><drag/><added_mass vessel='database'/><radiation model='convolution'/>"
                        "<wave_loads vessel='database' drift='newman'/>" +
                        test::k_jets + test::k_database + "</hydro>" + test::wind() +

