@@ -55,8 +55,7 @@ double mean_speed(const Passage& p) {
 /// Fields of other seeds differ by less than 0.1 m/s; the trends are demanded with that margin.
 constexpr double k_margin = 0.1;
 
-/// In open water the speed is that of the curve, but for millimetres by which the hull settles at the start. Ice of 30,
-/// 50 and 70 % takes more and more of it.
+/// In open water the mean speed is that of the curve to 1e-3 m/s. Ice of 30, 50 and 70 % takes more and more of it.
 TEST(SpeedInIce, FallsWithTheConcentration) {
   double before = mean_speed({.concentration = 0});
   EXPECT_NEAR(before, 4, 1e-3);

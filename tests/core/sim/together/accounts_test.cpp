@@ -50,7 +50,7 @@ const std::string k_parts =
     "<part name='barge' joint='ball' shape='box' size='30 20 6' mass='2.4e6' position='-20 0 11' at='-2 0 12'/>"
     "<rod name='strut' on='barge' at='-35 0 12' to='-135 -60 2'/>";
 
-/// Thrusters that nothing controls, since a vessel with parts has no whole mass.
+/// Thrusters of positioning, whose mass is that of the hull without its parts.
 const std::string k_free_thrusters =
     "<thrusters><thruster name='port' kind='azimuth' at='32 8 1' max_thrust='1.2e6' power='9e6' lag='1.5' thrust='5e5' "
     "angle_deg='30'/><thruster name='main' kind='propeller' at='32 0 3' max_thrust='1.5e6' power='1e7' "

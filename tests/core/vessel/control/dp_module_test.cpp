@@ -164,8 +164,7 @@ TEST(Dp, AControlThatSwingsIsReported) {
   EXPECT_TRUE(tuned.label.empty());
 }
 
-// A moment of 60 MN m is more than the tunnels give. Far from its centre nothing moves the vessel, which turns in
-// place.
+// A moment of 60 MN m about the centre of mass is more than the thrusters give, so the vessel turns in place.
 TEST(Dp, EndsTheRunWhereTheVesselTurnsAway) {
   Rig rig;
   rig.load = across(0, 6e7);
