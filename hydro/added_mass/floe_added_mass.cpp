@@ -11,6 +11,8 @@ namespace nilas::hydro {
 
 namespace {
 
+constexpr double k_aspect_rounding = 1e-6;  // of the aspect
+
 using Row = std::pair<double, double>;
 
 /// Linear between the rows of a table, whose first numbers rise; constant beyond its ends.
@@ -50,8 +52,7 @@ Rectangle rectangle_of(const std::vector<Vec2>& outline) {
   found.width = std::sqrt(area / aspect);
   found.length = area / found.width;
   // The two second moments of a square agree to rounding, and any axes are principal.
-  constexpr double k_square = 1e-6;
-  if (aspect > 1 + k_square) found.along = axes.eigenvectors().col(1);
+  if (aspect > 1 + k_aspect_rounding) found.along = axes.eigenvectors().col(1);
   return found;
 }
 
@@ -90,7 +91,9 @@ Mat6 floe_added_mass(FloeAddedMass kind, const geometry::Shape& floe, double dra
   if (kind == FloeAddedMass::none) return Mat6::Zero();
   const Rectangle rectangle = rectangle_of(floe.outline);
   const double length = rectangle.length, width = rectangle.width;
-  constexpr double k_longest_disc = 1.5;  // aspect up to which a disc is nearer than a strip
+  // The aspect up to which a disc is nearer than a strip, rounding included: a floe of 3 m x 2 m is a disc, however it
+  // is turned.
+  constexpr double k_longest_disc = 1.5 * (1 + k_aspect_rounding);
   const bool disc =
       kind == FloeAddedMass::disc || (kind == FloeAddedMass::automatic && length <= k_longest_disc * width);
   Vec6 own;  // along length, width, vertical

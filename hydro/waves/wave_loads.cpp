@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "hydro/sphere_surface.h"
+#include "hydro/waves/even_surface.h"
 #include "hydro/waves/wave_surface.h"
 #include "hydro/wet_body.h"
 
@@ -144,6 +145,8 @@ std::unique_ptr<const WaveSurface> WaveLoads::surface_of(const geometry::Shape& 
   const double longest = field_->shortest_length() / k_edges_per_wave;
   if (shape.kind == geometry::ShapeKind::sphere)
     return std::make_unique<const WaveSurface>(sphere_surface(shape.radius), longest);
+  if (shape.kind == geometry::ShapeKind::prism)
+    return std::make_unique<const WaveSurface>(even_surface(shape), longest);
   return std::make_unique<const WaveSurface>(shape.surface, longest);
 }
 

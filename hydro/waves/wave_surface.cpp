@@ -19,7 +19,8 @@ namespace {
 
 using Triangle = std::array<int, 3>;
 
-/// Halves the edges of triangles. Triangles that share an edge share its middle.
+/// Halves the edges of triangles. Triangles that share an edge share its middle. The parts do not depend on the corner
+/// with which a triangle begins, nor on the axes: the parts of a turned or mirrored triangle are turned or mirrored.
 class EdgeHalving {
  public:
   EdgeHalving(std::vector<Vec3>& vertices, double longest) : vertices_(vertices), longest_(longest) {}
@@ -47,13 +48,22 @@ class EdgeHalving {
         add({a, bc, c}, out);
       } else if (cuts == 2 && bc < 0) {
         add({a, ab, ca}, out);
-        add({ab, b, c}, out);
-        add({ab, c, ca}, out);
+        add_quadrangle({ab, b, c, ca}, out);
       }
     }
   }
 
  private:
+  /// Appends the parts of the rest of a triangle of which two edges were halved, about its middle: diagonals of equal
+  /// length would leave the choice between them to rounding. The pairs that are summed first are each other's image
+  /// where the triangle is mirrored.
+  void add_quadrangle(const std::array<int, 4>& corners, std::vector<Triangle>& out) {
+    const int middle = static_cast<int>(vertices_.size());
+    const Vec3 cut = vertices_[corners[0]] + vertices_[corners[3]],
+               whole = vertices_[corners[1]] + vertices_[corners[2]];
+    vertices_.push_back(0.25 * (cut + whole));
+    for (std::size_t k = 0; k < 4; ++k) add({corners[k], corners[(k + 1) % 4], middle}, out);
+  }
   /// The vertex in the middle of an edge that is too long; -1 for another edge.
   int middle_of(int a, int b) {
     if (!((vertices_[a] - vertices_[b]).norm() > longest_)) return -1;

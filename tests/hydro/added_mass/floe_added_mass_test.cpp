@@ -63,6 +63,15 @@ TEST(FloeAddedMass, TurnsWithTheOutline) {
   EXPECT_EQ(turned, turned.transpose());
 }
 
+/// At the aspect where the form changes, rounding does not choose it: 3 m x 2 m is a disc in any direction.
+TEST(FloeAddedMass, OfTheLongestDiscDoesNotTurnIntoAPlate) {
+  const Mat6 straight = floe_added_mass(FloeAddedMass::automatic, rectangle(3, 2, 0), 0.4, k_density);
+  for (int k = 1; k < 60; ++k) {
+    const Mat6 turned = floe_added_mass(FloeAddedMass::automatic, rectangle(3, 2, 0.1 * k), 0.4, k_density);
+    EXPECT_LT((turned - straight).norm(), 1e-9 * straight.norm()) << k;
+  }
+}
+
 TEST(FloeAddedMass, GrowsWithTheCubeOfTheScale) {
   const Mat6 small = floe_added_mass(FloeAddedMass::automatic, rectangle(3, 1, 0), 0.4, k_density);
   std::vector<Vec2> outline;

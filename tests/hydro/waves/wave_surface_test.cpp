@@ -2,11 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "core/bodies/bodies.h"
 #include "core/geometry/shape.h"
 #include "hydro/modules.h"
+#include "hydro/waves/even_surface.h"
 #include "tests/hydro/solids.h"
 
 namespace wave_surface_test {
@@ -164,6 +167,65 @@ TEST(WaveSurface, KeepsMirrorImages) {
   EXPECT_EQ(load.force.y(), 0);
   EXPECT_EQ(load.torque.x(), 0);
   EXPECT_EQ(load.torque.z(), 0);
+}
+
+/// Outlines with and without diagonals of equal length; the surface of the first is halved at two edges of a triangle.
+const std::vector<std::vector<Vec2>> k_outlines{{{-10, -7}, {10, -7}, {10, 7}, {-10, 7}},
+                                                {{-10, -9}, {12, -9}, {10, 8}, {2, 11}, {-11, 7}}};
+
+/// The loads on a floe whose outline is turned or mirrored in its own frame are turned or mirrored, to rounding: no
+/// diagonal of a face is chosen by the axes.
+TEST(WaveSurface, DoesNotDependOnTheAxesOfAFloe) {
+  for (const auto& outline : k_outlines)
+    for (const double side : {1.0, -1.0})
+      for (const double turn : {0.5, 1.3, 2.2, 4.0}) {
+        const Eigen::Rotation2Dd level(turn);
+        const auto image = [&](const Vec2& x) { return Vec2(level * Vec2(x.x(), side * x.y())); };
+        std::vector<Vec2> turned;
+        for (const Vec2& x : outline) turned.push_back(image(x));
+        if (side < 0) std::reverse(turned.begin(), turned.end());
+        WaveTrain train;
+        train.height = 1.5;
+        train.period = 5;
+        train.heading = 0.3;
+        const WaveField field({train}, sea().gravity, 0, 0, 1);
+        train.heading = turn + side * 0.3;
+        const WaveField other({train}, sea().gravity, 0, 0, 1);
+        const double longest = field.shortest_length() / 8;
+        const WaveSurface one(even_surface(geometry::prism_shape(outline, 1)), longest);
+        const WaveSurface two(even_surface(geometry::prism_shape(turned, 1)), longest);
+        EXPECT_GT(one.size(), 30u);  // the edges were halved
+        const Vec2 place(3, -2), moved = image(place);
+        const Wrench a = one.load(Mat3::Identity(), {place.x(), place.y(), -0.4}, sea(), field, 0.7);
+        const Wrench b = two.load(Mat3::Identity(), {moved.x(), moved.y(), -0.4}, sea(), other, 0.7);
+        const Vec2 force = image(a.force.head<2>()), torque = side * image(a.torque.head<2>());
+        EXPECT_LT((Vec3(force.x(), force.y(), a.force.z()) - b.force).norm(), 1e-12 * a.force.norm());
+        EXPECT_LT((Vec3(torque.x(), torque.y(), side * a.torque.z()) - b.torque).norm(), 1e-12 * a.torque.norm());
+      }
+}
+
+/// The surface of a prism encloses its volume and is closed, for convex and concave outlines.
+TEST(EvenSurface, EnclosesTheVolume) {
+  auto outlines = k_outlines;
+  outlines.push_back({{-5, -5}, {5, -5}, {5, 5}, {0, -1}, {-5, 5}});
+  for (const auto& outline : outlines) {
+    const geometry::Shape prism = geometry::prism_shape(outline, 0.8);
+    const geometry::TriangleMesh mesh = even_surface(prism);
+    double volume = 0, expected = 0;
+    Vec3 area = Vec3::Zero();
+    const auto add = [](const geometry::TriangleMesh& m, double& sum, Vec3& vector) {
+      for (const auto& [a, b, c] : m.triangles) {
+        const Vec3 doubled = (m.vertices[b] - m.vertices[a]).cross(m.vertices[c] - m.vertices[a]);
+        EXPECT_GT(doubled.norm(), 0);
+        vector += doubled;
+        sum += m.vertices[a].dot(doubled) / 6;
+      }
+    };
+    add(mesh, volume, area);
+    EXPECT_LT(area.norm(), 1e-11);
+    add(prism.surface, expected, area);
+    EXPECT_NEAR(volume, expected, 1e-12 * expected);
+  }
 }
 
 }  // namespace wave_surface_test
