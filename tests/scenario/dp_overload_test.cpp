@@ -76,7 +76,7 @@ TEST_F(DpOverload, AVesselThatIsDrivenOffEndsTheRun) {
   EXPECT_EQ(result.exit_code, 3);
   expect(result.err,
          {"dynamic positioning has lost the vessel", "more than the most_offset of 5 m",
-          "the force that was wanted then pointed one way", "the loads on the vessel exceed the thrusters"});
+          "The force that was wanted then pointed one way.", "the loads on the vessel exceed the thrusters"});
 }
 
 /// Samples 6 s late make a loop of 0.5 rad/s unstable, whose phase margin allows about 1 s. Within the most_offset of
@@ -86,11 +86,11 @@ TEST_F(DpOverload, AControlThatDivergesIsReported) {
   const auto swings = run("dp-drift.xml", late + "--until 200");
   ASSERT_EQ(swings.exit_code, 0) << swings.err;
   expect(swings.out, {"control swings The thrusters gave less than the control wanted in ", "swung to and fro",
-                      "allowed: a lower <control bandwidth>"});
+                      "Allowed are a lower <control bandwidth>"});
   EXPECT_EQ(figures_of("control").at("swings_1").get<double>(), 1);
   const auto lost = run("dp-drift.xml", "--quiet --set vessel/control/@most_offset=10 " + late);
   EXPECT_EQ(lost.exit_code, 3);
-  expect(lost.err, {"more than the most_offset of 10 m", "swung to and fro: the control diverges", "sensor_delay"});
+  expect(lost.err, {"more than the most_offset of 10 m", "swung to and fro. So the control diverges.", "sensor_delay"});
 }
 
 /// A damping that the vessel does not have takes the derivative gain below zero.

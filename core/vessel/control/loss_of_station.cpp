@@ -34,22 +34,22 @@ bool LossOfStation::one_way() const {
 std::string LossOfStation::seen() const {
   constexpr double k_percent = 100;
   return fmt::format(
-      "The thrusters gave less than the control wanted in {:.0f} % of the time, and the {} that was wanted then {}",
+      "The thrusters gave less than the control wanted in {:.0f} % of the time. The {} that was wanted then {}",
       k_percent * short_share(), moment_time_ > force_time_ ? "moment" : "force",
-      one_way() ? "pointed one way: the loads on the vessel exceed the thrusters, or the control diverged in its first "
-                  "swing; allowed: stronger thrusters, fewer failures, weaker ice, current and wind, or a lower "
-                  "<control bandwidth>"
-                : "swung to and fro: the control diverges; allowed: a lower <control bandwidth>, a shorter "
-                  "sensor_period, sensor_delay or lag of the thrusters, or a damping that suits the vessel");
+      one_way() ? "pointed one way. So the loads on the vessel exceed the thrusters, or the control diverged in its "
+                  "first swing. Allowed are stronger thrusters, fewer failures, weaker ice, current and wind, or a "
+                  "lower <control bandwidth>."
+                : "swung to and fro. So the control diverges. Allowed are a lower <control bandwidth>, a shorter "
+                  "sensor_period, sensor_delay or lag of the thrusters, or a damping that suits the vessel.");
 }
 
 std::string LossOfStation::text() const {
   constexpr double k_percent = 100, k_seldom = 0.05;  // share of the time
   if (short_share() >= k_seldom) return seen();
   return fmt::format(
-      "The thrusters gave what the control wanted in {:.0f} % of the time, so the control is too slow for the loads on "
-      "the vessel, or it diverges; try another <control bandwidth>, and a damping_ratio and damping that suit the "
-      "vessel",
+      "The thrusters gave what the control wanted in {:.0f} % of the time. So the control is too slow for the loads on "
+      "the vessel, or it diverges. Allowed are another <control bandwidth>, or a damping_ratio and damping that suit "
+      "the vessel.",
       k_percent * (1 - short_share()));
 }
 

@@ -104,7 +104,7 @@ TEST_F(LoadDatabase, TakesACompletedDatabase) {
   hydro::write_bemio(hydro::with_infinite_added_mass(lacking), file);
   const WorldParts parts = build("<database file='" + file.string() + "'/><added_mass vessel='database'/>");
   ASSERT_TRUE(parts.hull_water);
-  EXPECT_NEAR(parts.hull_water->added_B(2, 2), 130876.8, 200);  // 0.15 %
+  EXPECT_NEAR(parts.hull_water->added_B(2, 2), 130876.8, 1e-3 * 130876.8);
 }
 
 /// All files of the stem are inputs of the run, with the stem of the file that is named.

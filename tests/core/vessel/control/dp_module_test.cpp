@@ -126,7 +126,7 @@ TEST(Dp, EndsTheRunWhereItHasLostTheVessel) {
   rig.load = across(1e6);
   test::expect_refusal<SimulationError>([&] { rig.run(600); },
                                         {"at ", " s dynamic positioning has lost the vessel", "20", "most_offset",
-                                         "the force that was wanted then pointed one way", "stronger thrusters"});
+                                         "The force that was wanted then pointed one way", "stronger thrusters"});
   EXPECT_GT(rig.bodies.p_GB[0].y(), 19);
 }
 
@@ -140,7 +140,7 @@ TEST(Dp, ADivergingControllerIsAnError) {
   rig.load = across(1e5);
   test::expect_refusal<SimulationError>(
       [&] { rig.run(5000); },
-      {"has lost the vessel", "swung to and fro: the control diverges", "a lower <control bandwidth>", "sensor_delay"});
+      {"has lost the vessel", "swung to and fro. So the control diverges", "a lower <control bandwidth>", "sensor_delay"});
 }
 
 // The same within the default most_offset goes on swinging, as far as the thrusters push. The report says so; that of a
@@ -159,7 +159,7 @@ TEST(Dp, AControlThatSwingsIsReported) {
   const bodies::RunFigure swinging = report(0.5, 6), tuned = report(0.1, 0.5);
   EXPECT_EQ(swinging.name, "swings_1");
   EXPECT_EQ(swinging.value, 1);
-  EXPECT_NE(swinging.text.find("swung to and fro: the control diverges"), std::string::npos) << swinging.text;
+  EXPECT_NE(swinging.text.find("swung to and fro. So the control diverges"), std::string::npos) << swinging.text;
   EXPECT_EQ(tuned.value, 0);
   EXPECT_TRUE(tuned.label.empty());
 }
@@ -170,7 +170,7 @@ TEST(Dp, EndsTheRunWhereTheVesselTurnsAway) {
   rig.load = across(0, 6e7);
   test::expect_refusal<SimulationError>([&] { rig.run(600); },
                                         {"within the most_offset of 76 m", " deg from the heading of its reference",
-                                         "the moment that was wanted then pointed one way"});
+                                         "The moment that was wanted then pointed one way"});
 }
 
 // A damping that the vessel does not have makes K_d = 2 zeta w M - D negative: the motion grows by itself.

@@ -21,8 +21,8 @@ bool has(const std::string& text, const std::string& words) { return text.find(w
 TEST(LossOfStation, TellsAnOverloadFromASwing) {
   const auto steady = [](int) { return -2e5; };
   const auto swing = [](int k) { return k % 10 < 5 ? 2e5 : -2e5; };
-  EXPECT_TRUE(has(under(steady, 60).text(), "in 60 % of the time, and the force that was wanted then pointed one way"));
-  EXPECT_TRUE(has(under(swing, 60).text(), "in 60 % of the time, and the force that was wanted then swung to and fro"));
+  EXPECT_TRUE(has(under(steady, 60).text(), "in 60 % of the time. The force that was wanted then pointed one way"));
+  EXPECT_TRUE(has(under(swing, 60).text(), "in 60 % of the time. The force that was wanted then swung to and fro"));
   EXPECT_TRUE(has(under(swing, 4).text(), "gave what the control wanted in 96 % of the time"));
   EXPECT_TRUE(has(LossOfStation().text(), "in 100 % of the time"));
 }
@@ -42,7 +42,7 @@ TEST(LossOfStation, SpeaksOfWhatIsMissingForLonger) {
   LossOfStation loss;
   for (int k = 0; k < 100; ++k)
     loss.add(Vec2(k % 2 == 0 ? 1e5 : -1e5, 0), 3e6, k < 30 ? Shortfall::force : Shortfall::moment, 1);
-  EXPECT_TRUE(has(loss.text(), "the moment that was wanted then pointed one way")) << loss.text();
+  EXPECT_TRUE(has(loss.text(), "The moment that was wanted then pointed one way")) << loss.text();
   EXPECT_TRUE(loss.swinging().empty());
 }
 
