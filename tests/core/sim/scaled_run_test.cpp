@@ -29,8 +29,8 @@ const char* const k_friction =
     "<friction between='ice ice' static='0.4' kinetic='0.3' restitution='0.2'/>"
     "<friction between='hull ice' static='0.1'/>";
 
-std::string contact_of(const std::string& solver) {
-  return "<contact solver='" + solver + "' tolerance='1e-4'>" + k_friction + "</contact>";
+std::string contact_of(const std::string& solver, const std::string& more = "") {
+  return "<contact solver='" + solver + "' tolerance='1e-4' " + more + ">" + k_friction + "</contact>";
 }
 
 /// The factors of the run at the larger scale.
@@ -127,14 +127,15 @@ TEST_F(ScaledRun, HasTheSameBitsWithTheOrderFreeSolver) {
   EXPECT_GT(expect_same_steps(60, 16), 20);
 }
 
-/// Also where ice crushes, bends and splits, and to a scale below 1.
+/// Also where ice crushes, bends and splits, and to a scale below 1. The pieces jam, where this solver would take most
+/// of the time of all tests; whatever it has reached after 100 sweeps must have the same bits.
 TEST_F(ScaledRun, HasTheSameBitsInIceThatBreaks) {
   const std::string breaking = "<fracture><crushing/><bending/><splitting/></fracture>";
   build(towed_scene("<field kind='level' region='5 -2 9 2' fixed='true' breakable='true'/>", breaking,
-                    contact_of("nsgs")),
+                    contact_of("nsgs", "max_iterations='100'")),
         1.0 / 16);
-  EXPECT_GT(expect_same_steps(80, 1.0 / 16), 20);
-  EXPECT_GT(model_->bodies().size(), 2) << "the sheet has broken";
+  EXPECT_GT(expect_same_steps(24, 1.0 / 16), 200);
+  EXPECT_GT(model_->bodies().size(), 20) << "the sheet has broken";
 }
 
 /// Random waves that ice weakens by the measured rates of Meylan et al., there and back.

@@ -55,10 +55,11 @@ double mean_speed(const Passage& p) {
 /// Fields of other seeds differ by less than 0.1 m/s; the trends are demanded with that margin.
 constexpr double k_margin = 0.1;
 
-/// In open water the mean speed is that of the curve to 1e-3 m/s. Ice of 30, 50 and 70 % takes more and more of it.
+/// In open water the ship trims by up to 0.02 rad while its thrust and its resistance settle. That tilts both, by 2e-4
+/// of their size, so the mean speed is that of the curve to 2e-4 m/s. Ice of 30, 50 and 70 % takes more and more of it.
 TEST(SpeedInIce, FallsWithTheConcentration) {
   double before = mean_speed({.concentration = 0});
-  EXPECT_NEAR(before, 4, 1e-3);
+  EXPECT_NEAR(before, 4, 2e-4);
   for (const double concentration : {0.3, 0.5, 0.7}) {
     const double now = mean_speed({.concentration = concentration});
     EXPECT_LT(now, before - k_margin) << concentration;

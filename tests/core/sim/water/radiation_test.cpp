@@ -132,8 +132,9 @@ double heave_response(double period, double height) {
 
 /// Regular waves 1 to 10, free of any damper. The waves are so low that the sphere, which nothing holds, stays where it
 /// is: in waves of 0.1 m it gets under way in the ramp and meets others than those of the table. Nine responses are
-/// within the spread of five published computations as it is. In waves of 11 s it is 1.0067, as linear theory of deep
-/// water has it, and all five are above: the lowest by 0.11 %.
+/// within the spread of five published computations as it is. In waves of 11 s it is 1.0067, and all five are above:
+/// the lowest by 0.11 %. Linear theory of deep water has 1.0071 there, as oes_sphere_test.cpp shows by Haskind's
+/// relation.
 TEST(Radiation, LetsTheSphereFollowRegularWavesAsInPublishedComputations) {
   constexpr double k_height = 1e-3, k_longest = 11, k_beyond = 1.1e-3;
   std::ifstream table(std::string(NILAS_SOURCE_DIR) + "/tests/data/hydro/oes-sphere/responses.csv");
