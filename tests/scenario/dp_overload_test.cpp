@@ -41,33 +41,29 @@ class DpOverload : public ::testing::Test {
 
 /// A floe of 50 000 t at 0.2 m/s brings 1 MJ to the vessel's side, and one of four tunnels of 100 kN fails meanwhile.
 /// Measured: short of thrust in 17.6 % of the time, 6.5 m off at most, outside of 2 m for 135 s, and back within 0.4 m
-/// at the end.
+/// at the end. Fields of other seeds that push the vessel off gave 11 to 20 %, 5.5 to 7.5 m and 100 to 136 s; the
+/// bounds are about half of that spread. Without the blackout thrust is missing for half as long: 8.6 %.
 TEST_F(DpOverload, LargeFloesSaturateTheThrustersAndTheVesselReturns) {
   const auto result = run("dp-large-floes.xml");
   ASSERT_EQ(result.exit_code, 0) << result.err;
   const auto figures = figures_of("control");
-  EXPECT_NEAR(figures.at("saturation_share_1").get<double>(), 0.176, 0.08);
-  EXPECT_GT(figures.at("force_shortfall_max_N").get<double>(), 2e4);
-  EXPECT_NEAR(figures.at("offset_max_m").get<double>(), 6.5, 2);
-  EXPECT_NEAR(figures.at("time_outside_s").get<double>(), 135, 50);
-  EXPECT_GE(figures.at("alarms").get<double>(), 1);
+  const double saturated = figures.at("saturation_share_1").get<double>();
+  EXPECT_NEAR(saturated, 0.176, 0.05);
+  EXPECT_GT(figures.at("force_shortfall_max_N").get<double>(), 1e5);
+  EXPECT_NEAR(figures.at("offset_max_m").get<double>(), 6.5, 1);
+  EXPECT_NEAR(figures.at("time_outside_s").get<double>(), 135, 20);
+  EXPECT_EQ(figures.at("alarms").get<double>(), 1);
   EXPECT_EQ(figures.at("swings_1").get<double>(), 0);
   EXPECT_LT(last_offset(), 1);
-  EXPECT_GT(figures_of("thruster").at("at_limit_bow1_1").get<double>(), 0.03);
+  EXPECT_NEAR(figures_of("thruster").at("at_limit_bow1_1").get<double>(), 0.164, 0.05);
   expect(result.out, {"thrusters saturated in ", " % of the time they gave less than the control wanted",
                       "thrusters at limit bow1 ", "watch circle left "});
-}
-
-/// The blackout doubles the time in which thrust is missing: 8.6 % without it were measured.
-TEST_F(DpOverload, ABlackoutMakesTheThrustersFallShortForLonger) {
-  ASSERT_EQ(run("dp-large-floes.xml", "--quiet").exit_code, 0);
-  const auto with = figures_of("control");
   ASSERT_EQ(
       run("dp-large-floes.xml", "--quiet --set \"vessel/thrusters/thruster[@name='stern2']/@fails_at=1000\"").exit_code,
       0);
   const auto without = figures_of("control");
-  EXPECT_GT(with.at("saturation_share_1").get<double>(), 1.5 * without.at("saturation_share_1").get<double>());
-  EXPECT_GT(with.at("offset_max_m").get<double>(), without.at("offset_max_m").get<double>());
+  EXPECT_GT(saturated, 1.5 * without.at("saturation_share_1").get<double>());
+  EXPECT_GT(figures.at("offset_max_m").get<double>(), without.at("offset_max_m").get<double>());
 }
 
 /// With 5 m allowed the vessel is lost: the run fails with the code of numerics, and the message blames the ice.
