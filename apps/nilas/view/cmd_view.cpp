@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/nilas/commands/commands.h"
+#include "apps/nilas/view/take_pictures.h"
 #include "apps/view/page.h"
 #include "core/base/error.h"
 #include "core/base/file_bytes.h"
@@ -20,6 +21,7 @@ namespace {
 
 struct ViewOptions {
   std::string run, out;
+  PictureOptions pictures;
 };
 
 /// The bytes of a run's replay. Throws FileError, InputError.
@@ -55,36 +57,49 @@ std::string title_of(const output::replay::PieceList& list, const std::filesyste
   return scene + " (" + (folder.has_filename() ? folder.filename() : folder.parent_path().filename()).string() + ")";
 }
 
-int write_replay(const ViewOptions& options) {
+void write_page(const ViewOptions& options, const std::string& page, long frames) {
+  const std::filesystem::path run = options.run;
+  const std::filesystem::path out = options.out.empty() ? run / "replay.html" : std::filesystem::path(options.out);
+  output::write_whole(out, page);
+  constexpr double k_megabyte = 1e6;
+  std::cout << fmt::format("{} frames, {:.1f} MB\n", frames, static_cast<double>(page.size()) / k_megabyte)
+            << "written: " << out.string() << "\n"
+            << "Open it in a browser; it needs no other file and no network.\n";
+}
+
+int show_run(const ViewOptions& options) {
   view::demand_page();
+  check_picture_options(options.pictures, options.out);
   const std::filesystem::path run = options.run;
   const std::string bytes = replay_of(run);
   const auto list = output::replay::pieces_of(bytes, output::RunFolder::replay_file(run).string());
   const auto frames = std::count_if(list.pieces.begin(), list.pieces.end(),
                                     [](const auto& piece) { return piece.kind == output::replay::k_frame; });
   if (frames == 0) throw InputError(output::RunFolder::replay_file(run).string() + ": holds no frame yet");
-  const std::filesystem::path out = options.out.empty() ? run / "replay.html" : std::filesystem::path(options.out);
-  const std::string title = title_of(list, run);
-  const std::string page = view::replay_page(title, bytes);
-  output::write_whole(out, page);
-  constexpr double k_megabyte = 1e6;
-  std::cout << fmt::format("{} frames, {:.1f} MB\n", frames, static_cast<double>(page.size()) / k_megabyte);
+  const std::string page = view::replay_page(title_of(list, run), bytes);
+  if (options.pictures.wants_stills() || options.pictures.wants_film())
+    take_pictures(options.pictures, page, run, options.out);
+  else
+    write_page(options, page, frames);
   if (list.cut > 0)
     std::cout << output::wrapped("The last frame is incomplete and left out: the run was stopped while it wrote.", 0)
               << "\n";
-  std::cout << "written: " << out.string() << "\n"
-            << "Open it in a browser; it needs no other file and no network.\n";
   return exit_done;
 }
 
 }  // namespace
 
 void add_view(CLI::App& app, Action& action) {
-  auto* command = app.add_subcommand("view", "Writes a page that shows a run in 3-D, for any browser.");
+  auto* command = app.add_subcommand(
+      "view", "Writes a page that shows a run in 3-D, for any browser, or pictures and films of it.");
   auto options = std::make_shared<ViewOptions>();
   command->add_option("run", options->run, "Shows the run in this folder, which may still be going on.")->required();
-  command->add_option("--out", options->out, "Writes the page to this file. The default is replay.html in the folder.");
-  command->callback([&action, options] { action = [options] { return write_replay(*options); }; });
+  command->add_option(
+      "--out", options->out,
+      "Writes to this file. The default is replay.html in the folder for the page, view-<time>s.png for a "
+      "picture, and view.mp4 for a film. Several pictures have their times in their names.");
+  add_picture_options(*command, options->pictures);
+  command->callback([&action, options] { action = [options] { return show_run(*options); }; });
 }
 
 }  // namespace nilas::commands

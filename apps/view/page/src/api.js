@@ -1,3 +1,5 @@
+import { compose, shoot } from './pictures.js';
+
 /**
  * `window.nilas`: for tests and for scripts that make pictures. All times in seconds, forces in newtons.
  * @param {() => import('./app.js').App|null} app
@@ -23,6 +25,12 @@ export function makeApi(app, progress) {
                     graphs: app().graphs?.shown ?? [] }),
     stats: () => stats(app(), progress),
     capture: () => app().stage.capture(),
+    /** The times of the first and the last frame. */
+    get span() { return [app().recording.startTime, app().recording.endTime]; },
+    /** Whether the scene has a <view>. */
+    get hasView() { return Boolean(app().recording.head.view); },
+    compose: (words, isPlain) => compose(app(), words, isPlain),
+    shoot: (time, between) => shoot(app(), time, between),
     measure: (count) => measure(app(), count),
   };
 }

@@ -181,8 +181,11 @@ export class App {
   }
 
   /** Does what the address' fragment says. Faults become a notice. */
-  async applyFragment() {
-    const { options, words, unknown } = parseFragment(location.hash), faults = unknown.map((name) => `There is no option "${name}".`);
+  async applyFragment() { this.notices.show('fragment', (await this.applyWords(location.hash)).join(' ')); }
+
+  /** Does what words such as `t=12.3&view=top` say. Returns what is wrong with them, a sentence each. */
+  async applyWords(text) {
+    const { options, words, unknown } = parseFragment(text), faults = unknown.map((name) => `There is no option "${name}".`);
     for (const [name, value] of options) {
       try {
         this.options.set(name, value);
@@ -197,7 +200,7 @@ export class App {
     if (words.camera) this.#setCamera(words.camera.split(',').map(Number), faults);
     if (words.pick !== undefined) await this.pick(Number(words.pick));
     if (words.play === '1') this.player.play();
-    this.notices.show('fragment', faults.join(' '));
+    return faults;
   }
 
   #setCamera(numbers, faults) {

@@ -129,12 +129,16 @@ export class Graphs {
   #refreshLater() {
     if (this.timer) return;
     const wait = Math.max(0, REFRESH_MS - (performance.now() - this.#lastRefresh));
-    this.timer = setTimeout(() => {
-      this.timer = null;
-      this.#lastRefresh = performance.now();
-      if (this.box.hidden) return;
-      for (const [c, { plot }] of this.#charts) plot.setData(this.#data(c));
-    }, wait);
+    this.timer = setTimeout(() => this.refreshNow(), wait);
+  }
+
+  /** Takes over all frames at once. */
+  refreshNow() {
+    clearTimeout(this.timer);
+    this.timer = null;
+    this.#lastRefresh = performance.now();
+    if (this.box.hidden) return;
+    for (const [c, { plot }] of this.#charts) plot.setData(this.#data(c));
   }
 
   /** Brings all up to date after the graphs were hidden. */
