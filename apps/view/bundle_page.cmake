@@ -1,6 +1,7 @@
-# Bundles the page of the viewer into one HTML text and writes it as a source file.
+# Bundles the page of the viewer into one HTML text and the script of the page of comparisons, and writes both as a source file.
 #   cmake -DSOURCE=<folder of the page> -DBUILD=<folder> -DTESTS=<with the packages of its tests> -DEMBED=<embed_templates.cmake> -P bundle_page.cmake
-# Where npm or its packages are missing, the text is empty: the program then says that it has no viewer.
+# Where npm or its packages are missing, both are empty: the program then says that it has no viewer, and the page of a
+# comparison has pictures alone.
 set(page ${BUILD}/out/page.html)
 file(MAKE_DIRECTORY ${BUILD})
 file(REMOVE ${page})
@@ -34,10 +35,11 @@ if(NOT EXISTS ${page})
   message(WARNING "The program is built without its viewer: ${reason}")
   file(MAKE_DIRECTORY ${BUILD}/out)
   file(WRITE ${page} "")
+  file(WRITE ${BUILD}/out/compare.js "")
 endif()
 set(OUT ${BUILD}/page.cpp)
 set(NAMESPACE view)
 set(FUNCTION page_file)
 set(HEADER apps/view/page_template.h)
-set(FILES ${page})
+set(FILES "${page}|${BUILD}/out/compare.js|${SOURCE}/theme.css")
 include(${EMBED})

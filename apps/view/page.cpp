@@ -7,6 +7,7 @@
 #include "core/base/error.h"
 #include "core/output/file/base64.h"
 #include "core/output/text/html.h"
+#include "core/output/text/script_json.h"
 
 namespace nilas::view {
 
@@ -22,19 +23,12 @@ void replace(std::string& page, std::string_view name, const std::string& text) 
   page.replace(at, name.size(), text);
 }
 
-/// JSON within a page must not hold "</script>".
-std::string for_script(const nlohmann::ordered_json& json) {
-  std::string text = json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
-  for (auto at = text.find('<'); at != std::string::npos; at = text.find('<', at)) text.replace(at, 1, "\\u003c");
-  return text;
-}
-
 std::string filled(const std::string& title, const nlohmann::ordered_json& facts, const std::string& blocks) {
   demand_page();
   std::string page(page_file("page.html"));
   // Blocks first: a title may hold the name of another place.
   replace(page, "@NILAS_BLOCKS@", blocks);
-  replace(page, "@NILAS_FACTS@", for_script(facts));
+  replace(page, "@NILAS_FACTS@", output::script_json(facts));
   replace(page, "@NILAS_TITLE@", output::html_text(title));
   return page;
 }

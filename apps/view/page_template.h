@@ -1,10 +1,11 @@
 #pragma once
-/// The page as it was bundled when the program was built.
+/// The pages' scripts and styles as they were bundled when the program was built.
 #include <string_view>
 
 namespace nilas::view {
 
-/// The bundled files by their names. "page.html" has places that page.cpp fills; it is empty where it was not built.
+/// The bundled files by their names: "page.html" with places that page.cpp fills, "compare.js", the script of the page
+/// of a comparison, and "theme.css" with the colours of both. The first two are empty where they were not built.
 std::string_view page_file(std::string_view name);
 
 }  // namespace nilas::view

@@ -22,21 +22,21 @@ $chosen << EOD
 {{{.}}}EOD
 {{/chosen}}
 {{#numbers}}
-$numbers << EOD
-{{{.}}}EOD
-{{/numbers}}
-{{#grey_numbers}}
-$grey_numbers << EOD
-{{{.}}}EOD
-{{/grey_numbers}}
-{{#levels}}
 ${{name}} << EOD
 {{{rows}}}EOD
-{{/levels}}
+{{/numbers}}
+{{#leaders}}
+$leaders << EOD
+{{{.}}}EOD
+{{/leaders}}
 set logscale xy
 set grid lc rgb '#dddddd'
-# the names of settings are in the key next to the plot, because they would overlap at the points
-set rmargin 42
+# The names of settings are in the key next to the plot, because they would overlap at the points. The numbers have
+# places of their own, which were found for this size of the plot.
+set lmargin at screen {{left}}
+set rmargin at screen {{right}}
+set bmargin at screen {{bottom}}
+set tmargin at screen {{top}}
 set key at graph 1.02, graph 1 left top vertical Left reverse samplen 1.5 spacing 1.2 noenhanced
 set xrange [{{x_low}}:{{x_high}}]
 set yrange [{{y_low}}:{{y_high}}]
@@ -46,6 +46,9 @@ set ytics ({{y_tics}})
 set xlabel 'computing time per simulated second [s/s]'
 set ylabel 'error of the {{quantity}} [{{unit}}]'
 plot \
+{{#leaders}}
+  $leaders using 1:2 with lines lw 0.5*LW lc rgb '#999999' notitle, \
+{{/leaders}}
 {{#bars}}
   $bars using 1:2:3:4 with xerrorbars pt 0 lw LW lc rgb '#999999' title 'scatter of times ({{time_scatter}})', \
 {{/bars}}
@@ -64,15 +67,9 @@ plot \
 {{#chosen}}
   $chosen using 1:2 with points pt 6 ps 2*LW lw 2*LW lc rgb '#d55e00' title 'recommended', \
 {{/chosen}}
-{{#levels}}
-  ${{name}} using 1:2:3 with labels center offset char 0,{{raised}} tc rgb '#0072b2' noenhanced notitle, \
-{{/levels}}
 {{#numbers}}
-  $numbers using 1:2:3 with labels left offset char 0.8,0.4 noenhanced notitle, \
+  ${{name}} using 1:2:3 with labels center tc rgb '{{colour}}' noenhanced notitle, \
 {{/numbers}}
-{{#grey_numbers}}
-  $grey_numbers using 1:2:3 with labels left offset char 0.8,0.4 tc rgb '#888888' noenhanced notitle, \
-{{/grey_numbers}}
 {{#reference_moves}}
   {{.}} with lines dt 2 lw LW lc rgb '#009e73' title 'change of the reference with its step', \
 {{/reference_moves}}

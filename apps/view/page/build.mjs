@@ -4,7 +4,8 @@
  *
  * usage: node build.mjs OUT [MODULES]
  *
- * OUT: a folder; the page is OUT/page.html, and OUT/page-licences.txt has the licences of what it contains.
+ * OUT: a folder; the page is OUT/page.html, and OUT/page-licences.txt has the licences of what it contains. OUT/compare.js
+ * is the script of the page of a comparison, which contains no packages.
  * MODULES: the node_modules folder, if it is not beside this file.
  */
 import { readFileSync, mkdirSync, writeFileSync } from 'node:fs';
@@ -23,17 +24,21 @@ function licences(modules) {
   }).join('\n----\n\n');
 }
 
-/** The script and the style sheet of the page. */
+/** The scripts of the two pages, and the style sheet of the first. */
 async function bundle(modules, licenceText) {
   const esbuild = createRequire(join(modules, 'x.js'))('esbuild');
   const result = await esbuild.build({
-    entryPoints: [join(here, 'src/main.js'), join(here, 'page.css')], bundle: true, format: 'iife', minify: true, write: false,
+    entryPoints: { main: join(here, 'src/main.js'), page: join(here, 'page.css'), compare: join(here, 'src/compare/main.js') },
+    bundle: true, format: 'iife', minify: true, write: false,
     outdir: 'out', legalComments: 'inline', charset: 'utf8', target: ['chrome111', 'firefox113', 'safari16.4'], nodePaths: [modules],
     define: { LICENCES: JSON.stringify(licenceText) }, logLevel: 'warning',
   });
   const text = (name) => result.outputFiles.find((file) => file.path.endsWith(name)).text;
-  return { script: text('main.js'), style: `${text('main.css')}\n${text('page.css')}` };
+  return { script: inPage(text('main.js')), style: `${text('main.css')}\n${text('page.css')}`, compare: inPage(text('compare.js')) };
 }
+
+/** A script that stands within a page. */
+function inPage(script) { return script.replaceAll('</script', '<\\/script'); }
 
 /** Replaces one placeholder of the template; functions keep `$` in the text as it is. */
 function fill(template, placeholder, text) {
@@ -47,14 +52,15 @@ async function main() {
   if (!out) throw new Error('usage: node build.mjs OUT [MODULES]');
   const modules = resolve(modulesArgument ?? join(here, 'node_modules'));
   const licenceText = licences(modules);
-  const { script, style } = await bundle(modules, licenceText);
+  const { script, style, compare } = await bundle(modules, licenceText);
   let page = readFileSync(join(here, 'index.html'), 'utf8');
   page = fill(page, '@PAGE_STYLE@', style);
-  page = fill(page, '@PAGE_SCRIPT@', script.replaceAll('</script', '<\\/script'));
+  page = fill(page, '@PAGE_SCRIPT@', script);
   for (const placeholder of PLACEHOLDERS) fill(page, placeholder, '');
   mkdirSync(out, { recursive: true });
   writeFileSync(join(out, 'page.html'), page);
   writeFileSync(join(out, 'page-licences.txt'), licenceText);
+  writeFileSync(join(out, 'compare.js'), compare);
   console.log(`${join(out, 'page.html')}: ${Math.round(page.length / 1000)} kB`);
 }
 

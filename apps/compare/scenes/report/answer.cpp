@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "apps/compare/scenes/judge/ranking.h"
+#include "apps/compare/scenes/report/run_command.h"
 
 namespace nilas::compare {
 
@@ -225,8 +226,11 @@ std::vector<std::string> answer_lines(const SceneReport& report) {
 
 std::string report_text(const SceneReport& report) {
   std::string text;
-  for (const auto& lines : {answer_lines(report), detail_lines(report), caveat_lines(report),
-                            outlook_lines(report.outlook, report.study, report.found)})
+  for (const auto& line : answer_lines(report)) text += line + "\n";
+  if (const std::string command = run_command(report); !command.empty())
+    text += "To run the recommended setting:\n  " + command + "\n";
+  for (const auto& lines :
+       {detail_lines(report), caveat_lines(report), outlook_lines(report.outlook, report.study, report.found)})
     for (const auto& line : lines) text += line + "\n";
   const StudyTiming& timing = report.timing;
   if (timing.jobs > 1 && timing.jobs <= timing.cores && std::isfinite(timing.busy))

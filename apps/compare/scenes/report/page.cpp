@@ -5,14 +5,17 @@
 #include <algorithm>
 
 #include "apps/compare/scenes/report/answer.h"
+#include "apps/compare/scenes/report/front_view.h"
 #include "apps/compare/scenes/report/methods.h"
 #include "apps/compare/scenes/report/paired_text.h"
+#include "apps/compare/scenes/report/run_command.h"
 #include "apps/compare/scenes/report/tables.h"
 #include "apps/compare/workshop/json_store.h"
 #include "apps/compare/workshop/page_text.h"
 #include "apps/compare/workshop/special_numbers.h"
 #include "core/output/file/output_file.h"
 #include "core/output/text/html.h"
+#include "core/output/text/script_json.h"
 
 namespace nilas::compare {
 
@@ -122,9 +125,26 @@ Json setting_row(const SceneReport& report, const Merit& m) {
           {"remark", remark_of(m, found.choice)}};
 }
 
+/// What is shown of each setting at its mark, from the rows of the tables.
+std::vector<std::vector<std::pair<std::string, std::string>>> figures_of(const Json& settings, const Findings& found) {
+  std::vector<std::vector<std::pair<std::string, std::string>>> figures;
+  const std::string unit = " [" + found.measure.unit + "]";
+  for (const Json& row : settings) {
+    const auto text = [&](const char* key) { return row.at(key).get<std::string>(); };
+    figures.push_back(
+        {{"computing time [s/s]", text("time")},
+         {"error" + unit, text("error")},
+         {found.measure.is_load() ? "mean ice load [N]" : "may be chance up to" + unit, text("load_or_floor")},
+         {"deepest penetration [m]", text("penetration")},
+         {"remark", text("remark")}});
+  }
+  return figures;
+}
+
 Json run_row(const SceneReport& report, const RunRow& row) {
   const bool grid = row.run.kind == RunKind::grid;
   return {{"kind", row.result.done() ? "" : "fails"},
+          {"number", grid ? Json(row.run.setting + 1) : Json(nullptr)},
           {"id", row.run.id},
           {"label", grid ? report.label(row.run.setting) : plain_name_of(row.run.kind)},
           {"realisation", row.run.realisation},
@@ -196,6 +216,7 @@ Json view_of(const SceneReport& report) {
   Json settings = Json::array(), runs = Json::array();
   for (const auto& m : found.merits) settings.push_back(setting_row(report, m));
   for (const auto& row : found.rows) runs.push_back(run_row(report, row));
+  const Json fronts = fronts_view(report, figures_of(settings, found));
   const auto details = detail_lines(report);
   const std::string quantity = found.measure.is_load()        ? "mean ice load"
                                : found.measure.name == "turn" ? "attitude"
@@ -208,6 +229,8 @@ Json view_of(const SceneReport& report) {
                                    plan.settings.size(), plan.realisations, plan.realisations == 1 ? "" : "s")},
           {"status", report.ended_by.empty() ? "" : "This comparison is not complete: " + report.ended_by + "."},
           {"answer", answer_lines(report)},
+          {"run_command", run_command(report)},
+          {"fronts", output::script_json(fronts)},
           {"own_setting", own_setting(report.study)},
           {"quantity", quantity},
           {"unit", found.measure.unit},
@@ -228,7 +251,9 @@ void write_scene_page(const std::filesystem::path& folder, Json view, const std:
                       const std::string& no_figures) {
   Json figures = Json::array();
   for (const auto& picture : pictures)
-    figures.push_back({{"svg", output::inline_svg(folder / (picture + ".svg"))}, {"caption", caption_of(picture)}});
+    figures.push_back({{"name", picture},
+                       {"svg", output::inline_svg(folder / (picture + ".svg"))},
+                       {"caption", caption_of(picture)}});
   view["figures"] = figures;
   view["no_figures"] = no_figures;
   output::write_whole(folder / "compare.html", page_text("scene_page.html", std::move(view)));

@@ -9,6 +9,8 @@
 
 #include "apps/compare/scenes/judge/pairing.h"
 #include "apps/compare/scenes/judge/ranking.h"
+#include "apps/compare/scenes/report/front_picture.h"
+#include "apps/compare/scenes/report/front_points.h"
 #include "apps/compare/workshop/json_store.h"
 #include "apps/compare/workshop/special_numbers.h"
 #include "core/base/statistics.h"
@@ -18,134 +20,11 @@ namespace nilas::compare {
 
 namespace {
 
-constexpr double k_room = 1.6;           // factor between what is shown and the end of a logarithmic axis
-constexpr double k_out_of_sight = 1e-3;  // share that stands for 0, which a logarithmic axis cannot show
-
 /// The text in double quotes, as gnuplot reads texts in data.
 std::string quoted(const std::string& text) {
   std::string out = "\"";
   for (const char c : text) out += c == '"' ? "'" : std::string(1, c);
   return out + "\"";
-}
-
-/// The smallest and largest value that is shown.
-struct Extent {
-  double low = k_infinity, high = -low;
-  void add(double x) {
-    low = std::min(low, x);
-    high = std::max(high, x);
-  }
-};
-
-/// Adds the ends and labels of a logarithmic axis. The labels are at 1, 2 and 5 of each decade if there are few
-/// decades, else at the decades.
-void add_log_axis(const std::string& axis, const Extent& extent, Json& data) {
-  const double low = extent.low / k_room, high = extent.high * k_room;
-  const int first = static_cast<int>(std::floor(std::log10(low))), last = static_cast<int>(std::ceil(std::log10(high)));
-  constexpr double k_few = 1e3;
-  std::string tics;
-  for (int decade = first; decade <= last; ++decade)
-    for (const int digit : high > k_few * low ? std::vector{1} : std::vector{1, 2, 5})
-      tics += fmt::format("{}{}", tics.empty() ? "" : ", ", digit * std::pow(10.0, decade));
-  data[axis + "_low"] = low;
-  data[axis + "_high"] = high;
-  data[axis + "_tics"] = tics;
-}
-
-/// The value, or null if it is not known. Null leaves a section of the template out.
-Json number_if(bool known, double value) { return known ? Json(value) : Json(nullptr); }
-
-std::string quantity_of(const Measure& measure) {
-  if (measure.is_load()) return "mean ice load";
-  return measure.name == "turn" ? "attitude" : "positions (rms)";
-}
-
-/// The place of a setting in the picture: at its error, or at its floor if the error may be chance.
-struct FrontPoint {
-  const Merit* merit;
-  double error, spread;
-
-  bool time_scatters() const { return merit->time_spread > 0; }  // false where the scatter was not measured
-  double shortest() const { return std::max(merit->time - merit->time_spread, k_out_of_sight * merit->time); }
-  double longest() const { return merit->time + merit->time_spread; }
-};
-
-std::vector<FrontPoint> front_points(const Findings& found) {
-  std::vector<FrontPoint> points;
-  for (const auto& m : found.merits) {
-    const double error = m.significant ? m.error : m.floor;
-    if (!(m.time > 0) || !(error > 0) || !std::isfinite(error) || m.done == 0 || m.partial) continue;
-    const bool scatters = found.measure.is_load() && m.load_difference.count > 1;
-    points.push_back({&m, error, scatters ? m.load_difference.standard_error : 0});
-  }
-  return points;
-}
-
-/// The numbers of settings whose marks are at one height, on several levels so that they do not overlap.
-Json stacked_numbers(std::vector<FrontPoint> points) {
-  constexpr std::size_t k_levels = 4;
-  std::erase_if(points, [](const FrontPoint& p) { return p.merit->significant; });
-  std::sort(points.begin(), points.end(), [](const FrontPoint& a, const FrontPoint& b) {
-    return std::pair(a.merit->time, a.merit->setting) < std::pair(b.merit->time, b.merit->setting);
-  });
-  Json levels = Json::array();
-  for (std::size_t level = 0; level < std::min(k_levels, points.size()); ++level) {
-    std::string rows;
-    for (std::size_t k = level; k < points.size(); k += k_levels)
-      rows += fmt::format("{} {} \"{}\"\n", points[k].merit->time, points[k].error, points[k].merit->setting + 1);
-    levels.push_back(
-        {{"name", fmt::format("level{}", level)}, {"rows", rows}, {"raised", 0.9 + 0.9 * static_cast<double>(level)}});
-  }
-  return levels;
-}
-
-/// The bars of the times that are known to scatter, and their ends.
-std::string time_bars(const std::vector<FrontPoint>& points, Extent& time) {
-  std::string rows;
-  for (const auto& point : points) {
-    time.add(point.merit->time);
-    if (!point.time_scatters()) continue;
-    rows += fmt::format("{} {} {} {}\n", point.merit->time, point.error, point.shortest(), point.longest());
-    time.add(point.shortest());
-    time.add(point.longest());
-  }
-  return rows;
-}
-
-std::optional<Picture> front(const std::string& name, const Findings& found, const std::vector<std::string>& labels) {
-  const std::vector<FrontPoint> points = front_points(found);
-  if (points.empty()) return std::nullopt;
-  std::map<std::string, std::string> blocks{{"best", ""},   {"beaten", ""},  {"hidden", ""},
-                                            {"chosen", ""}, {"numbers", ""}, {"grey_numbers", ""}};
-  Extent time, error;
-  Json names = Json::array();
-  for (const auto& [merit, at, spread] : points) {
-    const Merit& m = *merit;
-    const std::string row =
-        fmt::format("{} {} {} {}\n", m.time, at, std::max(at - spread, k_out_of_sight * at), at + spread);
-    blocks[!m.significant ? "hidden" : m.dominated ? "beaten" : "best"] += row;
-    if (found.choice.chosen == m.setting) blocks["chosen"] += row;
-    const bool in_key = !m.dominated || found.choice.chosen == m.setting || m.setting == 0;
-    if (m.significant)
-      blocks[in_key ? "numbers" : "grey_numbers"] += fmt::format("{} {} \"{}\"\n", m.time, at, m.setting + 1);
-    if (in_key) names.push_back(fmt::format("{}  {}", m.setting + 1, labels[m.setting]));
-    error.add(at);
-    error.add(at + spread);
-  }
-  const double least = error.low / k_room;
-  if (found.check.moves) error.high = std::max(error.high, *found.check.moves);
-  Json data(blocks);
-  data["bars"] = time_bars(points, time);
-  data["time_scatter"] = percent_text(found.time_spread);
-  add_log_axis("x", time, data);
-  add_log_axis("y", error, data);
-  data["levels"] = stacked_numbers(points);
-  data["names"] = names;
-  data["quantity"] = quantity_of(found.measure);
-  data["unit"] = found.measure.unit;
-  // a smaller change lies below all that is shown
-  data["reference_moves"] = number_if(found.check.moves && *found.check.moves > least, found.check.moves.value_or(0));
-  return Picture{.name = name, .script = "front.gnuplot", .data = data};
 }
 
 /// The error over the step, with a line for each group of settings that differ in the step alone.
@@ -182,8 +61,8 @@ std::optional<Picture> steps(const Plan& plan, const Findings& found) {
       found.measure.is_load() && found.common_floor > k_far * error.low && std::isfinite(found.common_floor);
   if (floor) error.add(found.common_floor);
   data["floor"] = number_if(floor, found.common_floor);
-  add_log_axis("x", step, data);
-  add_log_axis("y", error, data);
+  add_axis("x", log_axis(step), data);
+  add_axis("y", log_axis(error), data);
   constexpr int k_height = 420;
   return Picture{.name = "steps", .script = "steps.gnuplot", .height = k_height, .data = data};
 }
@@ -314,24 +193,6 @@ std::optional<Picture> differences(const Findings& found, const std::vector<std:
                  .data = data};
 }
 
-/// The front with the distance from the reference as the error.
-std::optional<Picture> motion_front(Findings found, const std::vector<std::string>& labels) {
-  const bool moves =
-      std::any_of(found.merits.begin(), found.merits.end(), [](const Merit& m) { return m.motion.mean > 0; });
-  if (!found.measure.is_load() || !moves || !found.horizon.known) return std::nullopt;
-  found.measure = {"distance", "m", 0};
-  found.check.moves.reset();
-  found.choice.chosen.reset();
-  std::erase_if(found.merits, [](const Merit& m) { return m.done == 0 || std::isnan(m.motion.mean); });
-  for (auto& m : found.merits) {
-    m.error = m.motion.mean;
-    m.floor = found.horizon.ends ? found.horizon.threshold_m : k_rounding_share;
-    m.significant = m.error > m.floor;
-  }
-  found.merits = with_dominance(found.merits);
-  return front("motion", found, labels);
-}
-
 }  // namespace
 
 std::vector<Picture> pictures_of(const SceneReport& report) {
@@ -347,8 +208,8 @@ std::vector<Picture> pictures_of(const SceneReport& report) {
     return pictures;
   }
   add(differences(found, labels));
-  add(front("front", found, labels));
-  add(motion_front(found, labels));
+  add(front_picture("front", found, labels));
+  if (const auto moved = judged_by_motion(found)) add(front_picture("motion", *moved, labels));
   add(steps(report.study.plan, found));
   return pictures;
 }

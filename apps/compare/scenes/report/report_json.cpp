@@ -1,6 +1,7 @@
 /// The JSON object of compare.json.
 #include "apps/compare/scenes/report/answer.h"
 #include "apps/compare/scenes/report/paired_text.h"
+#include "apps/compare/scenes/report/run_command.h"
 #include "apps/compare/scenes/report/tables.h"
 #include "apps/compare/scenes/run/study_json.h"
 #include "apps/compare/workshop/json_store.h"
@@ -114,6 +115,7 @@ Json report_json(const SceneReport& report) {
           {"load_error_coverage", json_of(found.coverage)},
           {"load_error_coverage_alone", json_of(found.coverage_alone)},
           {"chosen", found.choice.chosen ? Json(report.label(*found.choice.chosen)) : Json(nullptr)},
+          {"chosen_command", run_command(report)},
           {"settings", settings},
           {"orders", orders},
           {"left_out", to_json(study.plan.omissions)},
