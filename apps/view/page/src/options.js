@@ -44,21 +44,25 @@ export class Options extends EventTarget {
 
   /** Sets an option from a value or its text. Throws an error that names what is allowed. */
   set(name, value) {
-    const option = OPTIONS.find((o) => o.name === name);
-    if (!option) throw new Error(`There is no option "${name}". There are ${OPTIONS.map((o) => o.name).join(', ')}.`);
-    this.#values.set(name, checked(option, value));
+    this.#values.set(name, checked(optionNamed(name), value));
     this.dispatchEvent(Object.assign(new Event('change'), { detail: name }));
   }
 
   /** The next value: the other one of a toggle, the next of a choice. */
   advance(name) {
-    const option = OPTIONS.find((o) => o.name === name);
+    const option = optionNamed(name);
     if (option.kind === 'toggle') return this.set(name, !this.get(name));
     const values = Object.keys(option.values);
     return this.set(name, values[(values.indexOf(this.get(name)) + 1) % values.length]);
   }
 
   all() { return Object.fromEntries(this.#values); }
+}
+
+function optionNamed(name) {
+  const option = OPTIONS.find((o) => o.name === name);
+  if (!option) throw new Error(`There is no option "${name}". There are ${OPTIONS.map((o) => o.name).join(', ')}.`);
+  return option;
 }
 
 function checked(option, value) {

@@ -1,4 +1,6 @@
 import * as THREE from 'three';
+import { Layer } from './layer.js';
+import { bytesOfColour } from './shading.js';
 
 const VERTEX = /* glsl */`
 precision highp float;
@@ -28,58 +30,21 @@ void main() {
   gl_FragColor = vec4(r > 0.78 && !ring ? vec3(1.0) : v_tint, 1.0);
 }`;
 
+const COLUMNS = { position: { Type: Float32Array, size: 3 }, size: { Type: Float32Array, size: 1 }, tint: { Type: Uint8Array, size: 3 } };
+
 /** Many dots of a size in pixels, in one draw call. Those above 10 pixels are rings. */
-export class Dots {
-  #capacity = 0;
-  count = 0;
-
+export class Dots extends Layer {
   constructor({ order = 0 } = {}) {
-    this.object = new THREE.Points(new THREE.BufferGeometry(), new THREE.ShaderMaterial({
-      vertexShader: VERTEX, fragmentShader: FRAGMENT, uniforms: { ratio: { value: 1 } } }));
-    this.object.frustumCulled = false;
-    this.object.renderOrder = order;
-    this.#grow(64);
-  }
-
-  set isHidden(value) {
-    this.object.material.depthTest = value;
-    this.object.material.transparent = !value;
+    super(new THREE.Points(new THREE.BufferGeometry(), new THREE.ShaderMaterial({
+      vertexShader: VERTEX, fragmentShader: FRAGMENT, uniforms: { ratio: { value: 1 } } })), COLUMNS, order);
   }
 
   set ratio(value) { this.object.material.uniforms.ratio.value = value; }
 
-  clear() { this.count = 0; }
-
   add(x, y, z, size, colour) {
-    if (this.count === this.#capacity) this.#grow(2 * this.#capacity);
-    const i = this.count++;
-    this.places.set([x, y, z], 3 * i);
-    this.sizes[i] = size;
-    this.tints.set([colour >> 16, (colour >> 8) & 255, colour & 255], 3 * i);
-  }
-
-  done() {
-    const { geometry } = this.object;
-    geometry.setDrawRange(0, this.count);
-    for (const name of ['position', 'size', 'tint']) geometry.attributes[name].needsUpdate = true;
-  }
-
-  #grow(capacity) {
-    const grown = (old, Type, size) => {
-      const values = new Type(size * capacity);
-      if (old) values.set(old);
-      return values;
-    };
-    this.places = grown(this.places, Float32Array, 3);
-    this.sizes = grown(this.sizes, Float32Array, 1);
-    this.tints = grown(this.tints, Uint8Array, 3);
-    this.#capacity = capacity;
-    const old = this.object.geometry, geometry = new THREE.BufferGeometry();
-    geometry.setAttribute('position', new THREE.BufferAttribute(this.places, 3));
-    geometry.setAttribute('size', new THREE.BufferAttribute(this.sizes, 1));
-    geometry.setAttribute('tint', new THREE.BufferAttribute(this.tints, 3, true));
-    geometry.setDrawRange(0, this.count);
-    this.object.geometry = geometry;
-    old.dispose();
+    const i = this.addRow(), { values } = this;
+    values.position.set([x, y, z], 3 * i);
+    values.size[i] = size;
+    values.tint.set(bytesOfColour(colour), 3 * i);
   }
 }

@@ -1,4 +1,6 @@
 import * as THREE from 'three';
+import { Layer, withAttributes } from './layer.js';
+import { bytesOfColour } from './shading.js';
 
 /** The least width on the screen [pixels]. */
 const LEAST_PIXELS = 1.6;
@@ -38,75 +40,26 @@ varying vec3 v_tint;
 varying float v_side;
 void main() { gl_FragColor = vec4(v_tint * (0.86 + 0.14 * v_side), 1.0); }`;
 
-/** Many rods, or arrows, in one draw call. Each has a start, an end, a width and a colour. */
-export class Rods {
-  #capacity = 0;
-  count = 0;
+const COLUMNS = { start: { Type: Float32Array, size: 3 }, end: { Type: Float32Array, size: 3 }, width: { Type: Float32Array, size: 1 },
+                  tint: { Type: Uint8Array, size: 3 } };
 
+/** Many rods, or arrows, in one draw call. Each has a start, an end, a width and a colour. */
+export class Rods extends Layer {
   constructor({ arrows = false, order = 0 } = {}) {
     const material = new THREE.ShaderMaterial({ vertexShader: VERTEX, fragmentShader: FRAGMENT, side: THREE.DoubleSide,
       uniforms: { pixel: { value: 0.001 }, head: { value: arrows ? 1 : 0 } } });
-    this.object = new THREE.Mesh(arrows ? arrowGeometry() : rodGeometry(), material);
-    this.object.frustumCulled = false;
-    this.object.renderOrder = order;
-    this.#grow(64);
-  }
-
-  /** Whether bodies in front hide them. */
-  set isHidden(value) {
-    this.object.material.depthTest = value;
-    this.object.material.transparent = !value;
+    super(new THREE.Mesh(arrows ? arrowGeometry() : rodGeometry(), material), COLUMNS, order);
   }
 
   /** `pixel`: the size of a pixel at unit distance. */
   set pixel(value) { this.object.material.uniforms.pixel.value = value; }
 
-  clear() { this.count = 0; }
-
   add(x0, y0, z0, x1, y1, z1, width, colour) {
-    if (this.count === this.#capacity) this.#grow(2 * this.#capacity);
-    const i = this.count++;
-    this.starts.set([x0, y0, z0], 3 * i);
-    this.ends.set([x1, y1, z1], 3 * i);
-    this.widths[i] = width;
-    this.tints[3 * i] = colour >> 16;
-    this.tints[3 * i + 1] = (colour >> 8) & 255;
-    this.tints[3 * i + 2] = colour & 255;
-  }
-
-  /** To be called after the last `add`. */
-  done() {
-    const { geometry } = this.object;
-    geometry.instanceCount = this.count;
-    for (const name of ['start', 'end', 'width', 'tint']) {
-      const attribute = geometry.attributes[name];
-      attribute.clearUpdateRanges();
-      attribute.addUpdateRange(0, attribute.itemSize * this.count);
-      attribute.needsUpdate = true;
-    }
-  }
-
-  #grow(capacity) {
-    const grown = (old, Type, size) => {
-      const values = new Type(size * capacity);
-      if (old) values.set(old);
-      return values;
-    };
-    this.starts = grown(this.starts, Float32Array, 3);
-    this.ends = grown(this.ends, Float32Array, 3);
-    this.widths = grown(this.widths, Float32Array, 1);
-    this.tints = grown(this.tints, Uint8Array, 3);
-    this.#capacity = capacity;
-    const old = this.object.geometry, geometry = new THREE.InstancedBufferGeometry();
-    geometry.setIndex(old.index);
-    for (const name of ['position', 'back']) geometry.setAttribute(name, old.attributes[name]);
-    geometry.setAttribute('start', new THREE.InstancedBufferAttribute(this.starts, 3));
-    geometry.setAttribute('end', new THREE.InstancedBufferAttribute(this.ends, 3));
-    geometry.setAttribute('width', new THREE.InstancedBufferAttribute(this.widths, 1));
-    geometry.setAttribute('tint', new THREE.InstancedBufferAttribute(this.tints, 3, true));
-    geometry.instanceCount = this.count;
-    this.object.geometry = geometry;
-    old.dispose();
+    const i = this.addRow(), { values } = this;
+    values.start.set([x0, y0, z0], 3 * i);
+    values.end.set([x1, y1, z1], 3 * i);
+    values.width[i] = width;
+    values.tint.set(bytesOfColour(colour), 3 * i);
   }
 }
 
@@ -126,9 +79,7 @@ function lathe(rings) {
       index.push(a, b, a + SIDES, b, b + SIDES, a + SIDES);
     }
   }
-  const geometry = new THREE.InstancedBufferGeometry();
-  geometry.setAttribute('position', new THREE.Float32BufferAttribute(position, 3));
-  geometry.setAttribute('back', new THREE.Float32BufferAttribute(back, 1));
+  const geometry = withAttributes(new THREE.InstancedBufferGeometry(), { position: [position, 3], back: [back, 1] });
   geometry.setIndex(index);
   return geometry;
 }

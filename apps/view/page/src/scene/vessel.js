@@ -3,6 +3,7 @@ import { toCreasedNormals } from 'three/addons/utils/BufferGeometryUtils.js';
 import { ShapeType } from '../data/shapes.js';
 import { BodyKind } from '../data/frame.js';
 import { indicesOf } from './body_pool.js';
+import { withAttributes } from './layer.js';
 import { COLOURS, LIGHT, bytesOfColour, edgeMaterial } from './shading.js';
 
 const CREASE_RAD = 0.6, EDGE_ANGLE_DEG = 28;
@@ -149,8 +150,7 @@ function geometryOf(shapes, colours) {
       tint.push(...colour);
     }
   }
-  const geometry = new THREE.BufferGeometry();
-  geometry.setAttribute('position', new THREE.Float32BufferAttribute(position, 3));
+  const geometry = withAttributes(new THREE.BufferGeometry(), { position: [position, 3] });
   geometry.setAttribute('tint', new THREE.BufferAttribute(new Uint8Array(tint), 3, true));
   return geometry;
 }
@@ -171,7 +171,5 @@ function normalsOf(shape) {
     const tip = sum.clone().normalize().multiplyScalar(0.03 * shape.radius).add(middle);
     position.push(...middle.toArray(), ...tip.toArray());
   }
-  const geometry = new THREE.BufferGeometry();
-  geometry.setAttribute('position', new THREE.Float32BufferAttribute(position, 3));
-  return geometry;
+  return withAttributes(new THREE.BufferGeometry(), { position: [position, 3] });
 }
