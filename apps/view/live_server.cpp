@@ -10,6 +10,7 @@
 #include <fstream>
 #include <thread>
 
+#include "apps/view/end_connections.h"
 #include "apps/view/http.h"
 #include "apps/view/page.h"
 #include "core/base/error.h"
@@ -61,6 +62,7 @@ struct LiveServer::Http {
   httplib::Server server;
   std::thread thread;
   std::atomic<bool> over = false;  ///< the thread does not listen any more
+  int port = 0;
 };
 
 LiveServer::LiveServer(const LiveAddress& address, const std::string& title, std::filesystem::path replay_file)
@@ -101,6 +103,7 @@ LiveServer::LiveServer(const LiveAddress& address, const std::string& title, std
         fmt::format("--view: {}:{} cannot be opened; another program may use it. --view-port PORT chooses "
                     "another port, and 0 any free one",
                     address.host, address.port));
+  http_->port = port;
   address_ = fmt::format("http://{}:{}/?token={}", shown, port, token_);
   http_->thread = std::thread([this] {
     http_->server.listen_after_bind();
@@ -225,6 +228,11 @@ LiveServer::~LiveServer() {
     grown_.wait_for(lock, k_farewell, [this] { return readers_ == 0; });
   }
   http_->server.stop();
+  // The library waits as long as clients go on to send a request, however slowly.
+  while (!http_->over) {
+    end_connections(http_->port);
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
   if (http_->thread.joinable()) http_->thread.join();
 }
 
