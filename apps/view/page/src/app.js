@@ -174,7 +174,8 @@ export class App {
 
   async #showCard() {
     const { frame } = this.world, { number } = this.player, id = this.picked;
-    const before = number > this.recording.first ? await this.store.get(number - 1) : null;
+    // A live run may drop the frame before meanwhile. Then the velocity is not known.
+    const before = number > this.recording.first ? await this.store.get(number - 1).catch(() => null) : null;
     const body = describeBody(frame, before, id);
     if (this.picked === id && this.world.frame === frame) this.card.show(body, id);
     return body;

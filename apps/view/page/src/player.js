@@ -1,3 +1,5 @@
+import { FrameGoneError } from './data/frame_store.js';
+
 /**
  * The time that is shown, and how it moves. Frames are fetched one at a time; while one is on its way, newer wishes
  * replace older ones.
@@ -132,9 +134,10 @@ export class Player extends EventTarget {
     }
   }
 
-  /** A frame that was dropped or replaced while it was decoded is no fault: another one is shown. */
+  /** A frame that was dropped or taken back while it was decoded is no fault: the nearest one is shown. */
   #fail(time, error) {
-    if (time < this.#recording.startTime) this.#wanted ??= this.#recording.startTime;
+    const { startTime, endTime } = this.#recording;
+    if (error instanceof FrameGoneError) this.#wanted ??= Math.min(Math.max(time, startTime), endTime);
     else this.dispatchEvent(Object.assign(new Event('fault'), { detail: `The frame at ${time.toFixed(2)} s cannot be shown: ${error.message}` }));
   }
 
