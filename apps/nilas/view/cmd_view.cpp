@@ -57,6 +57,13 @@ std::string title_of(const output::replay::PieceList& list, const std::filesyste
   return scene + " (" + (folder.has_filename() ? folder.filename() : folder.parent_path().filename()).string() + ")";
 }
 
+/// What a replay lacks at its end, as a sentence; empty where it has all.
+std::string lack_of(const output::replay::PieceList& list) {
+  if (list.cut > 0) return "The last frame is incomplete and left out: the run was stopped while it wrote.";
+  if (list.pieces.back().kind == output::replay::k_end) return "";
+  return "The replay does not say how the run ended: the run still goes on, or it was killed.";
+}
+
 void write_page(const ViewOptions& options, const std::string& page, long frames) {
   const std::filesystem::path run = options.run;
   const std::filesystem::path out = options.out.empty() ? run / "replay.html" : std::filesystem::path(options.out);
@@ -81,9 +88,7 @@ int show_run(const ViewOptions& options) {
     take_pictures(options.pictures, page, run, options.out);
   else
     write_page(options, page, frames);
-  if (list.cut > 0)
-    std::cout << output::wrapped("The last frame is incomplete and left out: the run was stopped while it wrote.", 0)
-              << "\n";
+  if (const std::string lack = lack_of(list); !lack.empty()) std::cout << output::wrapped(lack, 0) << "\n";
   return exit_done;
 }
 

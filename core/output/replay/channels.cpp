@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <cmath>
+#include <limits>
 #include <string_view>
 
 #include "core/base/error.h"
@@ -25,6 +28,17 @@ const char* group_of(std::string_view column) {
   return column.ends_with("_N") || column.ends_with("_Nm") ? "load" : "motion";
 }
 
+/// x >= 0 as the upper half of a float32, rounded up: 8 binary digits.
+std::uint16_t rounded_up(double x) {
+  constexpr std::uint32_t k_half = 1u << 16;
+  auto value = static_cast<float>(x);
+  if (static_cast<double>(value) < x) value = std::nextafter(value, std::numeric_limits<float>::infinity());
+  const auto bits = std::bit_cast<std::uint32_t>(value);
+  // One that is not a number stays so: its upper half says it.
+  const bool up = std::isfinite(value) && bits % k_half != 0;
+  return static_cast<std::uint16_t>(bits / k_half + (up ? 1 : 0));
+}
+
 }  // namespace
 
 Channels::Channels(const sim::RunInfo& info, const std::vector<std::string>& vessel_names)
@@ -42,7 +56,7 @@ Channels::Channels(const sim::RunInfo& info, const std::vector<std::string>& ves
   for (int phase = 0; phase < sim::k_num_phases; ++phase) {
     list_.push_back({sim::to_string(static_cast<sim::Phase>(phase)), "ms", "time"});
   }
-  now_.resize(list_.size(), 0);
+  now_.resize(list_.size(), std::numeric_limits<double>::quiet_NaN());
   least_ = most_ = now_;
 }
 
@@ -101,8 +115,13 @@ void Channels::restore(const StateReader& in) {
 }
 
 void Channels::add_to(std::string& out) {
-  for (std::size_t c = 0; c < now_.size(); ++c)
-    for (const double x : {now_[c], least_[c], most_[c]}) add_float(x, out);
+  for (std::size_t c = 0; c < now_.size(); ++c) {
+    add_float(now_[c], out);
+    // As readers have it, so that the range holds all values.
+    const auto shown = static_cast<double>(static_cast<float>(now_[c]));
+    add_number(rounded_up(std::max(0.0, shown - least_[c])), out);
+    add_number(rounded_up(std::max(0.0, most_[c] - shown)), out);
+  }
   fresh_ = true;
 }
 

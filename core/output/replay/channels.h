@@ -26,7 +26,8 @@ class Channels {
   void note(const sim::StepRecord& record, const std::vector<double>& vessel_values);
   void save(StateWriter out) const;
   void restore(const StateReader& in);
-  /// Appends value, smallest and largest of each channel as float32, and begins anew.
+  /// Appends the value of each channel and how far it was below and above since the last time, and begins anew. Before
+  /// the first step the values are not a number.
   void add_to(std::string& out);
 
  private:

@@ -6,16 +6,10 @@
 
 #include "contact/measure/impulse_residual.h"
 #include "core/base/union_find.h"
-#include "core/output/replay/byte_text.h"
 
 namespace nilas::output::replay {
 
 namespace {
-
-constexpr double k_normal_unit = 127, k_point_units = 4;
-constexpr int k_exact_flag = 128, k_stored_flag = 64;
-/// Forces of free ice are stored with this many steps up to the largest.
-constexpr double k_force_steps = 2000;
 
 /// The place of the body with this id, -1: it has broken since. Ids ascend with the places.
 int place_of(std::int64_t id, const bodies::Bodies& bodies) {
@@ -159,42 +153,6 @@ FrameContacts frame_contacts(const std::vector<contact::SolvedProblem>& substeps
   Gathering gathering(bodies, choice, h);
   for (const auto& solved : substeps) gathering.add(solved);
   return gathering.result();
-}
-
-void add_contacts(const FrameContacts& list, const BodyFrames& frames, std::string& content) {
-  add_varint(list.islands.size(), content);
-  for (const FrameIsland& island : list.islands) {
-    add_varint(static_cast<std::uint64_t>(island.contacts), content);
-    add_varint(static_cast<std::uint64_t>(island.iterations), content);
-    add_float(island.residual, content);
-  }
-  double largest = 0;
-  for (const FrameContact& c : list.contacts)
-    if (!c.exact) largest = std::max(largest, c.force.lpNorm<Eigen::Infinity>());
-  const auto unit = static_cast<float>(largest > 0 ? largest / k_force_steps : 1);
-  add_varint(list.contacts.size(), content);
-  add_number(unit, content);
-  for (const FrameContact& c : list.contacts)
-    add_byte(static_cast<int>(c.status) + (c.exact ? k_exact_flag : 0) + (c.stored ? k_stored_flag : 0), content);
-  std::int64_t last = 0;
-  for (const FrameContact& c : list.contacts) add_signed(c.first - std::exchange(last, c.first), content);
-  for (const FrameContact& c : list.contacts) add_varint(static_cast<std::uint64_t>(c.second), content);
-  for (int k = 0; k < 3; ++k)
-    for (const FrameContact& c : list.contacts) {
-      const std::int64_t units = in_units(c.p_G[k], frames.quantum()) -
-                                 frames.position(static_cast<std::size_t>(c.first))[static_cast<std::size_t>(k)];
-      add_signed(in_units(static_cast<double>(units), k_point_units), content);
-    }
-  for (int k = 0; k < 3; ++k)
-    for (const FrameContact& c : list.contacts)
-      add_byte(static_cast<int>(std::lround(k_normal_unit * c.n[k])), content);
-  for (const FrameContact& c : list.contacts)
-    for (int k = 0; k < 3; ++k) {
-      if (c.exact)
-        add_float(c.force[k], content);
-      else
-        add_signed(in_units(c.force[k], static_cast<double>(unit)), content);
-    }
 }
 
 }  // namespace nilas::output::replay

@@ -1,16 +1,15 @@
 #pragma once
 /// The contacts of a replay frame and the islands that they make.
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include "core/bodies/bodies.h"
-#include "core/output/replay/frame.h"
 #include "core/output/tables/contact_rows.h"
 
 namespace nilas::output::replay {
 
-/// A contact by the places of its bodies. `second` equals `first` where the second body has broken since.
+/// A contact by the places of its bodies. `second` equals `first` where the second body has broken since. Those that
+/// are not exact are sums, one a pair of bodies.
 struct FrameContact {
   int first = 0, second = 0;
   ContactStatus status = ContactStatus::open;
@@ -43,8 +42,5 @@ struct ContactChoice {
 /// `substeps`: the solved problems of a step of length `h` [s]; forces are means over it.
 FrameContacts frame_contacts(const std::vector<contact::SolvedProblem>& substeps, const bodies::Bodies& bodies,
                              const ContactChoice& choice, double h);
-
-/// Appends islands and contacts to the content of a frame, whose bodies `frames` has.
-void add_contacts(const FrameContacts& list, const BodyFrames& frames, std::string& content);
 
 }  // namespace nilas::output::replay

@@ -12,9 +12,15 @@ namespace nilas::output::replay {
 namespace {
 
 // With the rounding of quaternions below, no point of a floe is farther than 1e-4 of its diameter from its place:
-// half a quantum along each axis is 0.69e-4, half a unit of each component of a quaternion is 0.27e-4.
-constexpr double k_quantum_share = 0.8e-4, k_least_quantum = 1e-6, k_turn_quantum = 1.0 / 32768;
+// half a unit along each axis is 0.69e-4, half a unit of each component of a quaternion is 0.27e-4.
+constexpr double k_unit_share = 0.8e-4, k_least_unit = 1e-6, k_turn_unit = 1.0 / 32768;
 constexpr int k_key_flag = 1;
+
+/// The unit of positions for a body of this shape, as the file has it [m].
+double unit_of(const geometry::Shape& shape) {
+  const double unit = std::max(k_least_unit, k_unit_share * 2 * shape.bounding_radius);
+  return static_cast<double>(static_cast<float>(unit));
+}
 
 /// The code of a speed [m/s]: 0 below 1e-6, then 28 steps a decade.
 std::int64_t speed_code(double speed) {
@@ -40,38 +46,33 @@ std::array<double, 4> numbers_of_turn(const Quat& q) { return {q.w(), q.x(), q.y
 
 }  // namespace
 
-/// Takes a smaller quantum where a floe is smaller than all before. Returns whether it did.
-bool BodyFrames::refine(const bodies::Bodies& bodies) {
-  double smallest = std::numeric_limits<double>::infinity(), any = smallest;
+/// A key frame: all bodies come anew. Bodies other than floes get the unit of the smallest floe.
+void BodyFrames::begin_key(const bodies::Bodies& bodies) {
+  double least = std::numeric_limits<double>::infinity(), of_any = least;
   for (std::size_t b = 0; b < bodies.id.size(); ++b) {
-    const double diameter = 2 * bodies.shape[b]->bounding_radius;
-    any = std::min(any, diameter);
-    if (bodies.kind[b] == bodies::BodyKind::floe) smallest = std::min(smallest, diameter);
+    const double unit = unit_of(*bodies.shape[b]);
+    of_any = std::min(of_any, unit);
+    if (bodies.kind[b] == bodies::BodyKind::floe) least = std::min(least, unit);
   }
-  if (std::isinf(smallest)) smallest = std::isinf(any) ? 1 : any;
-  const double quantum = std::max(k_least_quantum, k_quantum_share * smallest);
-  if (quantum_ > 0 && quantum >= quantum_) return false;
-  quantum_ = quantum;
-  return true;
+  least_unit_ = std::isfinite(least) ? least : std::isfinite(of_any) ? of_any : k_unit_share;
+  now_.clear();
+  since_key_ = 0;
+  shapes_.forget_unused();
 }
 
 void BodyFrames::add(const bodies::Bodies& bodies, double t, long step, double h, const BodyMarks& marks,
-                     std::string& content, std::string& shapes) {
-  const bool finer = refine(bodies), is_key = finer || since_key_ >= k_key_every;
-  if (is_key) {
-    now_.clear();
-    since_key_ = 0;
-    shapes_.forget_unused();
-  }
+                     Content& content, std::string& shapes) {
+  const bool is_key = since_key_ >= k_key_every;
+  if (is_key) begin_key(bodies);
   ++since_key_;
-  add_byte(is_key ? k_key_flag : 0, content);
-  add_number(t, content);
-  add_varint(static_cast<std::uint64_t>(step), content);
-  add_number(h, content);
-  add_number(quantum_, content);
-  add_list(bodies, marks, content, shapes);
+  add_byte(is_key ? k_key_flag : 0, content.bytes);
+  add_number(t, content.bytes);
+  add_varint(static_cast<std::uint64_t>(step), content.bytes);
+  add_number(h, content.bytes);
+  add_list(bodies, marks, content.bytes, shapes);
   add_motion(bodies, content);
-  add_marks(bodies, marks, content);
+  content.begin(Packing::numbers);
+  add_marks(bodies, marks, content.bytes);
 }
 
 /// Bodies keep their order, and those that come stand at the end, so a pass through both lists finds what changed.
@@ -108,13 +109,15 @@ void BodyFrames::add_body(const bodies::Bodies& bodies, std::size_t b, bool is_p
   add_byte(bodies.motion[b] == bodies::Motion::fixed ? 1 : 0, content);
   add_float(shape.kind == geometry::ShapeKind::prism ? shape.thickness : 0, content);
   add_float(bodies.mass[b], content);
-  add_text(is_floe ? std::string_view() : std::string_view(bodies.name[b]), content);
   Stored stored;
   stored.id = bodies.id[b];
+  stored.unit = is_floe ? unit_of(shape) : least_unit_;
   now_.push_back(stored);
+  add_float(stored.unit, content);
+  add_text(is_floe ? std::string_view() : std::string_view(bodies.name[b]), content);
 }
 
-void BodyFrames::add_motion(const bodies::Bodies& bodies, std::string& content) {
+void BodyFrames::add_motion(const bodies::Bodies& bodies, Content& content) {
   NILAS_DEMAND(now_.size() == bodies.id.size());
   std::array<std::string, 7> arrays;
   for (std::size_t b = 0; b < now_.size(); ++b) {
@@ -125,8 +128,8 @@ void BodyFrames::add_motion(const bodies::Bodies& bodies, std::string& content) 
     const double sign = along < 0 ? -1 : 1;
     for (std::size_t k = 0; k < 7; ++k) {
       std::int64_t& stored = k < 3 ? body.position[k] : body.turn[k - 3];
-      const std::int64_t value = k < 3 ? in_units(bodies.p_GB[b][static_cast<Eigen::Index>(k)], quantum_)
-                                       : in_units(sign * turn[k - 3], k_turn_quantum);
+      const std::int64_t value = k < 3 ? in_units(bodies.p_GB[b][static_cast<Eigen::Index>(k)], body.unit)
+                                       : in_units(sign * turn[k - 3], k_turn_unit);
       const std::int64_t predicted = body.past == 0 ? 0 : body.past == 1 ? stored : 2 * stored - body.before[k];
       add_signed(value - predicted, arrays[k]);
       body.before[k] = stored;
@@ -134,7 +137,10 @@ void BodyFrames::add_motion(const bodies::Bodies& bodies, std::string& content) 
     }
     body.past = std::min(body.past + 1, 2);
   }
-  for (const auto& array : arrays) content += array;
+  for (std::size_t k = 0; k < arrays.size(); ++k) {
+    if (k == 0 || k == 3) content.begin(Packing::numbers);
+    content.bytes += arrays[k];
+  }
 }
 
 void BodyFrames::add_marks(const bodies::Bodies& bodies, const BodyMarks& marks, std::string& content) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/bodies/bodies.h"
+#include "core/output/replay/piece.h"
 #include "core/output/replay/shapes.h"
 
 namespace nilas::output::replay {
@@ -26,36 +27,39 @@ class BodyFrames {
   explicit BodyFrames(std::uint64_t first_shape) : shapes_(first_shape) {}
 
   std::uint64_t next_shape() const { return shapes_.next(); }
-  /// Positions are stored in these units [m].
-  double quantum() const { return quantum_; }
-  /// Where a body of the newest frame is, in those units.
+  /// Whether the newest frame stands by itself.
+  bool is_key() const { return since_key_ == 1; }
+  /// The position of a body of the newest frame is stored in this unit [m].
+  double unit(std::size_t b) const { return now_[b].unit; }
+  /// Where that body is, in its unit.
   const std::array<std::int64_t, 3>& position(std::size_t b) const { return now_[b].position; }
 
   /// Appends the head of a frame and the arrays of bodies to `content`, and new shapes to the content of a piece of
   /// shapes.
-  void add(const bodies::Bodies& bodies, double t, long step, double h, const BodyMarks& marks, std::string& content,
+  void add(const bodies::Bodies& bodies, double t, long step, double h, const BodyMarks& marks, Content& content,
            std::string& shapes);
 
  private:
   struct Stored {
     std::int64_t id = 0;
-    int past = 0;  ///< number of frames since it came, at most 2
+    double unit = 1;  ///< of its position [m]
+    int past = 0;     ///< number of frames since it came, at most 2
     std::array<std::int64_t, 3> position{};
     std::array<std::int64_t, 4> turn{};
     std::array<std::int64_t, 7> before{};  ///< position and turn of the frame before
     std::int64_t speed = 0, island = 0, damage = 0;
   };
 
-  bool refine(const bodies::Bodies& bodies);
+  void begin_key(const bodies::Bodies& bodies);
   void add_list(const bodies::Bodies& bodies, const BodyMarks& marks, std::string& content, std::string& shapes);
   void add_body(const bodies::Bodies& bodies, std::size_t b, bool is_part, std::int64_t& last_id, std::string& content,
                 std::string& shapes);
-  void add_motion(const bodies::Bodies& bodies, std::string& content);
+  void add_motion(const bodies::Bodies& bodies, Content& content);
   void add_marks(const bodies::Bodies& bodies, const BodyMarks& marks, std::string& content);
 
   Shapes shapes_;
   std::vector<Stored> now_;
-  double quantum_ = 0;
+  double least_unit_ = 1;  ///< of all floes at the newest key frame
   int since_key_ = k_key_every;
 };
 

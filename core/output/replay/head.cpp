@@ -27,6 +27,21 @@ Json channels_json(const Channels& channels) {
 
 }  // namespace
 
+std::string waves_text(const sim::RunInfo& info) {
+  Json trains = Json::array();
+  for (const bodies::DrawnSea& sea : info.seas) {
+    Json components = Json::array();
+    for (const bodies::DrawnWave& wave : sea.waves)
+      components.push_back({wave.amplitude, wave.frequency, wave.number.x(), wave.number.y(), wave.phase, wave.decay});
+    trains.push_back({{"start", sea.start},
+                      {"ramp", sea.ramp},
+                      {"edge", {sea.edge.x(), sea.edge.y()}},
+                      {"inward", {sea.inward.x(), sea.inward.y()}},
+                      {"components", components}});
+  }
+  return trains.empty() ? std::string() : Json{{"trains", trains}}.dump();
+}
+
 std::string head_text(const scene::Scene& scene, const sim::RunInfo& info, const Channels& channels,
                       bool has_contact_table) {
   Json head{{"scene", info.scene_name}, {"step", scene.time.step}, {"every", scene.output.trajectory_every},

@@ -11,4 +11,7 @@ namespace nilas::output::replay {
 std::string head_text(const scene::Scene& scene, const sim::RunInfo& info, const Channels& channels,
                       bool has_contact_table);
 
+/// The waves as JSON, empty without waves.
+std::string waves_text(const sim::RunInfo& info);
+
 }  // namespace nilas::output::replay

@@ -3,6 +3,7 @@
 #include <zlib.h>
 
 #include <array>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/output/replay/byte_text.h"
@@ -17,19 +18,36 @@ constexpr int k_level = 1;
 
 }  // namespace
 
-std::string packed_piece(char kind, std::string_view content) {
-  uLongf size = compressBound(static_cast<uLong>(content.size()));
-  std::string piece(k_piece_head + size, '\0');
-  const auto* from = reinterpret_cast<const Bytef*>(content.data());
-  auto* to = reinterpret_cast<Bytef*>(piece.data() + k_piece_head);
-  NILAS_DEMAND(compress2(to, &size, from, static_cast<uLong>(content.size()), k_level) == Z_OK);
+std::string packed_piece(char kind, const Content& content) {
+  z_stream stream{};
+  NILAS_DEMAND(deflateInit(&stream, k_level) == Z_OK);
+  constexpr std::size_t k_end_of_part = 8;  // room for what ends a part and begins the next
+  std::string piece(k_piece_head + deflateBound(&stream, static_cast<uLong>(content.bytes.size())) +
+                        k_end_of_part * content.parts.size(),
+                    '\0');
+  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(content.bytes.data()));
+  stream.next_out = reinterpret_cast<Bytef*>(piece.data() + k_piece_head);
+  stream.avail_out = static_cast<uInt>(piece.size() - k_piece_head);
+  std::size_t begin = 0;
+  for (const Content::Part& part : content.parts) {
+    stream.avail_in = static_cast<uInt>(part.begin - std::exchange(begin, part.begin));
+    if (stream.avail_in > 0) NILAS_DEMAND(deflate(&stream, Z_BLOCK) == Z_OK && stream.avail_in == 0);
+    NILAS_DEMAND(deflateParams(&stream, k_level, part.packing == Packing::numbers ? Z_RLE : Z_DEFAULT_STRATEGY) ==
+                 Z_OK);
+  }
+  stream.avail_in = static_cast<uInt>(content.bytes.size() - begin);
+  const int state = deflate(&stream, Z_FINISH);
+  const auto length = static_cast<std::uint32_t>(stream.total_out);
+  deflateEnd(&stream);
+  NILAS_DEMAND(state == Z_STREAM_END);
   piece[0] = kind;
-  const auto length = static_cast<std::uint32_t>(size);
   std::memcpy(piece.data() + 1, &length, sizeof length);
-  piece.resize(k_piece_head + size);
+  piece.resize(k_piece_head + length);
   piece.push_back('\n');
   return piece;
 }
+
+std::string packed_piece(char kind, std::string content) { return packed_piece(kind, Content{std::move(content), {}}); }
 
 std::string unpacked(std::string_view packed) {
   z_stream stream{};
@@ -52,9 +70,11 @@ std::string unpacked(std::string_view packed) {
 
 PieceList pieces_of(std::string_view bytes, const std::string& source) {
   if (bytes.substr(0, k_signature.size()) != k_signature) {
-    const bool other = bytes.substr(0, k_signature.size() - 1) == k_signature.substr(0, k_signature.size() - 1);
-    throw InputError(source + (other ? ": was written by another version of the program; run the scene again"
-                                     : ": is no replay file"));
+    const std::size_t name = k_signature.size() - 1;
+    if (bytes.substr(0, name) != k_signature.substr(0, name)) throw InputError(source + ": is no replay file");
+    if (bytes.size() == name) throw InputError(source + ": ends before its first piece");
+    throw InputError(source + ": has version " + bytes[name] + " of the replay, and this program reads version " +
+                     k_signature[name] + "; run the scene again, or use the program that wrote it");
   }
   PieceList list;
   std::size_t at = k_signature.size();

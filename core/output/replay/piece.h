@@ -8,12 +8,34 @@
 namespace nilas::output::replay {
 
 /// The bytes with which a replay file starts; the last one is the version.
-inline constexpr std::string_view k_signature = "NILASRP1";
+inline constexpr std::string_view k_signature = "NILASRP2";
 
-inline constexpr char k_head = 'H', k_shape = 'S', k_frame = 'F', k_end = 'E', k_live = 'L';
+inline constexpr char k_head = 'H', k_shape = 'S', k_frame = 'F', k_waves = 'W', k_end = 'E', k_live = 'L';
+
+/// What a part of a content is like: `mixed`, where the same bytes come again, or `numbers`, small ones that vary.
+enum class Packing { mixed, numbers };
+
+/// The content of a piece while it is put together. Each part is packed by itself, since its bytes have frequencies of
+/// their own; readers see no difference.
+struct Content {
+  struct Part {
+    std::size_t begin = 0;
+    Packing packing = Packing::mixed;
+  };
+  std::string bytes;
+  std::vector<Part> parts;  ///< none: all is mixed
+
+  /// What is added from now on is a part.
+  void begin(Packing packing) { parts.push_back({bytes.size(), packing}); }
+  void clear() {
+    bytes.clear();
+    parts.clear();
+  }
+};
 
 /// The piece with this content, packed.
-std::string packed_piece(char kind, std::string_view content);
+std::string packed_piece(char kind, const Content& content);
+std::string packed_piece(char kind, std::string content);
 /// The content of a packed piece. Throws InputError where it is damaged.
 std::string unpacked(std::string_view packed);
 

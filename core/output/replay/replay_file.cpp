@@ -38,8 +38,10 @@ ReplayFile::ReplayFile(const std::filesystem::path& path, const scene::Scene& sc
       file_(path, "", keep) {
   if (from != nullptr) channels_.restore(from->group("channels"));
   // A run that goes on may have another end.
-  file_.append((keep ? std::string() : std::string(k_signature)) +
-               packed_piece(k_head, head_text(scene, info, channels_, has_contact_table)));
+  std::string start = keep ? std::string() : std::string(k_signature);
+  start += packed_piece(k_head, head_text(scene, info, channels_, has_contact_table));
+  if (const std::string waves = waves_text(info); !waves.empty()) start += packed_piece(k_waves, waves);
+  file_.append(start);
 }
 
 BodyMarks ReplayFile::marks_of(const ShownState& shown, const FrameContacts& contacts,
@@ -76,14 +78,20 @@ void ReplayFile::frame(const ShownState& shown) {
   const FrameContacts contacts = frame_contacts(shown.substeps, shown.bodies, choice, shown.h > 0 ? shown.h : 1);
   content_.clear();
   shapes_.clear();
-  channels_.add_to(content_);
+  content_.begin(Packing::mixed);
+  channels_.add_to(content_.bytes);
   frames_.add(shown.bodies, shown.t, shown.step, shown.h, marks_of(shown, contacts, choice.loaded), content_, shapes_);
-  add_contacts(contacts, frames_, content_);
-  add_varint(arrows_.size() + shown.lines.size(), content_);
-  for (const auto& line : arrows_) add_line(line, content_);
-  for (const auto& line : shown.lines) add_line(line, content_);
+  contacts_.add(contacts, shown.bodies, frames_, content_);
+  add_lines(shown.lines);
   const std::string before = shapes_.empty() ? std::string() : packed_piece(k_shape, shapes_);
   file_.append(before + packed_piece(k_frame, content_));
+}
+
+void ReplayFile::add_lines(const std::vector<bodies::DrawnLine>& lines) {
+  if (!lines.empty()) content_.begin(Packing::mixed);
+  add_varint(arrows_.size() + lines.size(), content_.bytes);
+  for (const auto& line : arrows_) add_line(line, content_.bytes);
+  for (const auto& line : lines) add_line(line, content_.bytes);
 }
 
 void ReplayFile::save(StateWriter out) const {

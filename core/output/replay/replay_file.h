@@ -8,6 +8,7 @@
 #include "core/bodies/drawn_line.h"
 #include "core/output/file/output_file.h"
 #include "core/output/replay/channels.h"
+#include "core/output/replay/contact_writer.h"
 #include "core/output/replay/contacts.h"
 #include "core/output/replay/frame.h"
 #include "core/output/vtk/trajectory.h"
@@ -43,14 +44,17 @@ class ReplayFile {
 
  private:
   BodyMarks marks_of(const ShownState& shown, const FrameContacts& contacts, const LoadedBodies& loaded) const;
+  void add_lines(const std::vector<bodies::DrawnLine>& lines);
 
   sim::RunInfo info_;
   bool has_contact_table_, of_all_bodies_, has_damage_;
   Channels channels_;
   BodyFrames frames_;
+  ContactWriter contacts_;
   std::vector<bodies::DrawnLine> arrows_;  ///< the loads of carriage and wind on the vessel in the newest step
   OutputFile file_;
-  std::string content_, shapes_;  ///< of the pieces of a frame
+  Content content_;
+  std::string shapes_;  ///< of the pieces of a frame
 };
 
 }  // namespace nilas::output::replay

@@ -11,6 +11,7 @@
 #include "contact/solved_problem.h"
 #include "core/base/error.h"
 #include "core/base/math.h"
+#include "core/bodies/drawn_sea.h"
 #include "core/vessel/model/vessel_model.h"
 #include "fracture/model/fracture_event.h"
 
@@ -142,6 +143,7 @@ struct RunInfo {
   bool rigid_contacts = true;         ///< true if some ice meets the hull as a rigid body
   std::vector<StructureInfo> structures;
   std::vector<PartInfo> parts;                      ///< the vessel's parts
+  std::vector<bodies::DrawnSea> seas;               ///< the waves, for viewers
   std::vector<std::string> rods;                    ///< names of the rods that hold the vessel
   std::optional<std::array<double, 2>> statistics;  ///< the scene's window for statistics: from, to [s]
   std::optional<double> peak_filter;                ///< the scene's peak filter [s]

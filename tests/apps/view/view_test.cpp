@@ -1,6 +1,9 @@
 /// `nilas view` and the live view of `nilas run --view`.
+#include <arpa/inet.h>
 #include <gtest/gtest.h>
+#include <sys/socket.h>
 
+#include <atomic>
 #include <chrono>
 #include <regex>
 #include <thread>
@@ -78,7 +81,7 @@ TEST_F(View, ContactsOfAFrameAreThoseOfTheTable) {
     for (std::size_t k = 0; k < times.size(); ++k)
       if (std::abs(times[k] - frame.t) < 1e-9) stored.push_back(static_cast<float>(force[k]));
     for (const auto& contact : frame.contacts)
-      if ((contact.status & 64) != 0) drawn.push_back(static_cast<float>(contact.force.x()));
+      if (contact.stored) drawn.push_back(static_cast<float>(contact.force.x()));
     EXPECT_EQ(drawn, stored) << "at " << frame.t;
     shown += drawn.size();
   }
@@ -93,14 +96,73 @@ TEST_F(View, WhatIsNoReplayIsRefused) {
   expect_refusal("view bare", 2, "trajectory_every");
   run_ship();
   const std::string bytes = read_text(in("run/replay.bin"));
-  folder.write("run/replay.bin", "NILASRP9" + bytes.substr(8));
-  expect_refusal("view run", 2, "another version");
+  folder.write("run/replay.bin", "NILASRP1" + bytes.substr(8));
+  expect_refusal("view run", 2, "has version 1");
   folder.write("run/replay.bin", bytes.substr(0, 20));
   expect_refusal("view run", 2, "no frame");
   folder.write("run/replay.bin", bytes.substr(0, bytes.size() - 80));
   const auto result = nilas("view run --out cut.html");
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_TRUE(mentions(result.out, "incomplete")) << result.out;
+}
+
+TEST_F(View, OfARunFolderOnlyTheReplayIsNeeded) {
+  run_ship();
+  fs::create_directories(in("copied"));
+  fs::copy_file(in("run/replay.bin"), in("copied/replay.bin"));
+  const auto result = nilas("view copied");
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_TRUE(mentions(read_text(in("copied/replay.html")), "<title>ship (copied)</title>"));
+  fs::remove(in("run/replay.bin"));
+  expect_refusal("view run", 2, "replay.bin: is missing");
+}
+
+TEST_F(View, AFullDiskIsNamed) {
+  run_ship();
+  // The page is written beside its place first.
+  fs::create_symlink("/dev/full", in("page.html.part"));
+  expect_refusal("view run --out page.html", 4, "No space left on device");
+  EXPECT_FALSE(fs::exists(in("page.html")));
+}
+
+TEST_F(View, ASceneWithoutIceVesselAndWaterIsShown) {
+  folder.write("box.xml", k_box);
+  ASSERT_EQ(nilas("run box.xml --quiet --out box --set output/@trajectory_every=0.1").exit_code, 0);
+  const auto result = nilas("view box");
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_TRUE(mentions(result.out, "3 frames")) << result.out;
+}
+
+TEST_F(View, AKilledRunIsShownUpToItsLastWholeFrame) {
+  Started run("run endless.xml --quiet --out killed --set output/@trajectory_every=0.02", folder.path());
+  ASSERT_TRUE(run.reaches(in("killed/steps.csv"), 60));
+  EXPECT_EQ(run.stop(SIGKILL), 128 + SIGKILL);
+  const auto result = nilas("view killed");
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_TRUE(mentions(result.out, "does not say how the run ended") || mentions(result.out, "incomplete"))
+      << result.out;
+  EXPECT_GT(Replay(read_text(in("killed/replay.bin"))).frames.size(), 20u);
+}
+
+TEST_F(View, WavesAreInTheReplay) {
+  std::string scene = k_ship;
+  const std::string water = "<water density=\"1005\"/>";
+  scene.replace(scene.find(water), water.size(),
+                "<water density=\"1005\"><waves kind=\"regular\" height=\"0.04\" period=\"1\" heading_deg=\"90\" "
+                "phase_deg=\"30\" ramp=\"2\" attenuation=\"exponential\" attenuation_rate=\"0.5\" ice_edge=\"0 3\"/>"
+                "</water>");
+  folder.write("waves.xml", scene);
+  ASSERT_EQ(nilas("run waves.xml --quiet --out waves --until 0.1").exit_code, 0);
+  const auto trains = Replay(read_text(in("waves/replay.bin"))).waves.at("trains");
+  ASSERT_EQ(trains.size(), 1u);
+  EXPECT_EQ(trains[0].at("start"), 0);
+  EXPECT_EQ(trains[0].at("ramp"), 2);
+  EXPECT_EQ(trains[0].at("edge"), (std::vector<double>{0, 3}));
+  EXPECT_NEAR(trains[0].at("inward")[1].get<double>(), 1, 1e-15);
+  const auto wave = trains[0].at("components").at(0).get<std::vector<double>>();
+  const double w = 2 * nilas::k_pi;
+  const std::vector<double> expected{0.02, w, 0, w * w / 9.81, nilas::k_pi / 6, 0.25};
+  for (std::size_t k = 0; k < expected.size(); ++k) EXPECT_NEAR(wave.at(k), expected[k], 1e-9) << k;
 }
 
 /// A run with a live view, and its address.
@@ -168,7 +230,7 @@ TEST_F(View, ThePageOfALiveRunNeedsTheToken) {
 
 TEST_F(View, TwoPagesReadTheRunAsItGoesOn) {
   LiveRun run(folder.path());
-  EXPECT_EQ(run.first_bytes(8).substr(0, 8), "NILASRP1") << "also before the run has begun";
+  EXPECT_EQ(run.first_bytes(8).substr(0, 8), "NILASRP2") << "also before the run has begun";
   ASSERT_TRUE(run.reaches(60));
   for (int page = 0; page < 2; ++page) {
     const Replay replay(run.first_bytes(20000));
@@ -199,6 +261,48 @@ TEST_F(View, ARunPausesStepsAndGoesOnAsThePageAsks) {
   EXPECT_TRUE(run.reaches(paused + 30));
   EXPECT_EQ(run.control("{\"action\":\"pause\"}"), 204);
   EXPECT_EQ(run.stop(), 130) << "a paused run can be interrupted";
+}
+
+/// Sends the letters of a request one by one, and never the last one.
+class SlowClient {
+ public:
+  explicit SlowClient(int port) : socket_(::socket(AF_INET, SOCK_STREAM, 0)) {
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_port = htons(static_cast<std::uint16_t>(port));
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    connected = ::connect(socket_, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0;
+    sender_ = std::thread([this] {
+      while (!over_ && ::send(socket_, "a", 1, MSG_NOSIGNAL) == 1)
+        std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    });
+  }
+  ~SlowClient() {
+    over_ = true;
+    sender_.join();
+    ::close(socket_);
+  }
+  SlowClient(const SlowClient&) = delete;
+  SlowClient& operator=(const SlowClient&) = delete;
+
+  bool connected = false;
+
+ private:
+  int socket_;
+  std::atomic<bool> over_ = false;
+  std::thread sender_;
+};
+
+TEST_F(View, AClientThatSendsSlowlyDoesNotHoldTheEndOfTheRun) {
+  LiveRun run(folder.path());
+  const SlowClient client(run.port);
+  ASSERT_TRUE(client.connected);
+  ASSERT_TRUE(run.reaches(20));
+  std::this_thread::sleep_for(std::chrono::milliseconds(500));  // until the server reads from it
+  const auto begin = std::chrono::steady_clock::now();
+  EXPECT_EQ(run.stop(), 130);
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(20))
+      << "the letters would last for half an hour";
 }
 
 TEST_F(View, AUsedPortAndARunWithoutFramesAreRefused) {

@@ -58,6 +58,8 @@ async function showReplay(facts, recording, read) {
   const { notices } = app;
   if (outcome.fault) {
     notices.show('cut', `A part of the replay could not be read (${faultText(outcome.fault)}). It is shown up to ${recording.endTime.toFixed(2)} s.`, true);
+  } else if (!outcome.isCut && !recording.endReason) {
+    notices.show('cut', `The replay does not say how the run ended. The run still goes on, or it was killed. It is shown up to ${recording.endTime.toFixed(2)} s.`);
   } else if (outcome.isCut) {
     notices.show('cut', `The replay ends in the middle of a piece, at ${recording.endTime.toFixed(2)} s. The run was killed, still goes on, or the file was not copied whole.`);
   }

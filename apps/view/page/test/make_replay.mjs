@@ -16,10 +16,12 @@ const CHANNELS = [['ice_resistance', 'N', 'load'], ['carriage_fx', 'N', 'load'],
                   ['x', 'm', 'motion'], ['contacts', '', 'solver'], ['kinetic', 'J', 'energy'], ['detection', 'ms', 'time'], ['contact', 'ms', 'time'],
                   ['water', 'ms', 'time'], ['output', 'ms', 'time']];
 
-/** The waves: [amplitude, frequency, wave number x, wave number y, phase]. */
-const WAVES = [[0.012, 4.5, 2.1, 0, 0], [0.004, 6.3, 3.6, 1.9, 1], [0.003, 7.1, 4.9, -1.5, 2]];
+/** The waves: amplitude, frequency, wave number x, y, phase, decay under ice. */
+const WAVES = [[0.012, 4.5, 2.1, 0, 0, 0.01], [0.004, 6.3, 3.6, 1.9, -1, 0.02], [0.003, 7.1, 4.9, -1.5, -2, 0.03]];
+const TRAIN = { start: 0, ramp: 0, edge: [6, 0], inward: [1, 0], components: WAVES };
 
-const elevation = (x, y, time) => WAVES.reduce((sum, [a, w, kx, ky, phase]) => sum + a * Math.cos(kx * x + ky * y - w * time + phase), 0);
+const elevation = (x, y, time) => WAVES.reduce((sum, [a, w, kx, ky, phase, decay]) =>
+  sum + a * Math.exp(-decay * Math.max(0, x - TRAIN.edge[0])) * Math.cos(w * time - kx * x - ky * y + phase), 0);
 
 /**
  * The ice of a scene.
@@ -42,7 +44,7 @@ export class Scene {
     const cell = 0.55, columns = Math.ceil(Math.sqrt(this.floes * 2.2)), rows = Math.ceil(this.floes / columns);
     this.width = Math.max(rows * cell, 4) + 1;
     this.length = columns * cell + 9;
-    this.quantum = 0.8e-4 * 0.3;
+    this.unit = 0.8e-4 * 0.3;
     for (let k = 0; k < this.floes; ++k) {
       const x = 6.2 + (k % columns) * cell + 0.06 * (this.random() - 0.5), y = (Math.floor(k / columns) - (rows - 1) / 2) * cell + 0.06 * (this.random() - 0.5);
       this.#addFloe(polygon(0.5 * cell * (0.8 + 0.28 * this.random()), this.random), [x, y], 2 * Math.PI * this.random());
@@ -150,7 +152,7 @@ export class Scene {
     if (came.length > 0) this.writer.shapes(came.map(({ shape, corners, thickness }) => prism(shape, corners, thickness)));
     for (const floe of came) floe.isNew = false;
     const bodies = this.bodies(i), contacts = this.contacts(bodies);
-    const frame = { time: i * EVERY, step: 10 * i, stepLength: 0.01, quantum: this.quantum, bodies, contacts, lines: this.lines(),
+    const frame = { time: i * EVERY, step: 10 * i, stepLength: 0.01, unit: this.unit, bodies, contacts, lines: this.lines(),
                     islands: contacts.length > 0 ? [{ contacts: contacts.length, iterations: 7, residual: 3e-6 }] : [],
                     channels: this.channels(bodies, contacts) };
     return { frame, bytes: this.writer.frame(frame) };
@@ -162,7 +164,7 @@ export function makeReplay(options = {}) {
   const scene = new Scene(options), frames = [];
   scene.writer.head(scene.head());
   if (scene.hasWaves) {
-    scene.writer.add('W', { components: WAVES, attenuation: null });
+    scene.writer.add('W', { trains: [TRAIN] });
   }
   scene.writer.shapes(ship(SHIP_SHAPE, SHIP));
   for (let i = 0; i < scene.frames; ++i) {

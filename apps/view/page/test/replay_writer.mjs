@@ -1,4 +1,5 @@
 import { deflateSync } from 'node:zlib';
+import { ContactWriter } from './contact_writer.mjs';
 
 const TURN_UNIT = 1 / 32768;
 
@@ -22,6 +23,15 @@ class Bytes {
   float32(x) {
     this.#room(4);
     this.#size = this.#buffer.writeFloatLE(x, this.#size);
+  }
+
+  /** The upper half of a float32, rounded up. */
+  halfFloat32(x) {
+    const bits = Buffer.alloc(4);
+    bits.writeFloatLE(Math.max(0, x));
+    const value = Number.isFinite(x) && bits.readUInt16LE(0) > 0 ? bits.readUInt16LE(2) + 1 : bits.readUInt16LE(2);
+    this.byte(value & 255);
+    this.byte(value >> 8);
   }
 
   float64(x) {
@@ -60,14 +70,14 @@ export function piece(kind, content) {
 /**
  * Writes a replay piece by piece. It knows nothing of the page, so that both can be tested against each other.
  *
- * A body of a frame is {id, kind, shape (null for a plane), fixed, thickness, mass, name, p, q (w x y z), speed, island,
- * damage}; a contact {status, exact, stored, first, second, p, n, force} with places in the list of bodies.
+ * A body of a frame is {id, kind, shape (null for a plane), fixed, thickness, mass, unit (else that of the frame), name, p,
+ * q (w x y z), speed, island, damage}; a contact {status, exact, stored, first, second, p, n, force} with places in the list of bodies.
  */
 export class ReplayWriter {
-  parts = [Buffer.from('NILASRP1')];
+  parts = [Buffer.from('NILASRP2')];
   #bodies = [];
   #sinceKey = Infinity;
-  #quantum = 0;
+  #contacts = new ContactWriter();
 
   constructor({ keyEvery = 64 } = {}) { this.keyEvery = keyEvery; }
 
@@ -102,21 +112,23 @@ export class ReplayWriter {
     this.add('S', out.done());
   }
 
-  frame({ time, step, stepLength, quantum, bodies, islands = [], contacts = [], channels = [], lines = [] }) {
-    const out = new Bytes(), isKey = this.#sinceKey >= this.keyEvery || quantum !== this.#quantum;
+  frame({ time, step, stepLength, unit, bodies, islands = [], contacts = [], channels = [], lines = [] }) {
+    const out = new Bytes(), isKey = this.#sinceKey >= this.keyEvery;
     if (isKey) {
       this.#bodies = [];
       this.#sinceKey = 0;
     }
     ++this.#sinceKey;
-    this.#quantum = quantum;
-    for (const x of channels.flat()) out.float32(x);
+    for (const [value, least, most] of channels) {
+      out.float32(value);
+      out.halfFloat32(Math.fround(value) - least);
+      out.halfFloat32(most - Math.fround(value));
+    }
     out.byte(isKey ? 1 : 0);
     out.float64(time);
     out.varint(step);
     out.float64(stepLength);
-    out.float64(quantum);
-    this.#writeList(out, bodies);
+    this.#writeList(out, bodies, unit);
     this.#writeMotion(out, bodies);
     this.#writeMarks(out, bodies);
     out.varint(islands.length);
@@ -125,13 +137,13 @@ export class ReplayWriter {
       out.varint(island.iterations);
       out.float32(island.residual);
     }
-    this.#writeContacts(out, contacts);
+    this.#contacts.write(out, contacts, bodies, { isKey, stored: this.#bodies });
     writeLines(out, lines);
     return this.add('F', out.done());
   }
 
   /** Bodies must keep their order, with those that came at the end. */
-  #writeList(out, bodies) {
+  #writeList(out, bodies, unit) {
     const ids = new Set(bodies.map(({ id }) => id)), gone = [];
     this.#bodies.forEach(({ id }, k) => { if (!ids.has(id)) gone.push(k); });
     out.varint(gone.length);
@@ -148,8 +160,9 @@ export class ReplayWriter {
       out.byte(body.fixed ? 1 : 0);
       out.float32(body.thickness ?? 0);
       out.float32(body.mass);
+      out.float32(body.unit ?? unit);
       out.text(body.name ?? '');
-      this.#bodies.push({ id: body.id, past: 0, now: new Array(7).fill(0), before: new Array(7).fill(0), speed: 0, island: 0, damage: 0 });
+      this.#bodies.push({ id: body.id, unit: Math.fround(body.unit ?? unit), past: 0, now: new Array(7).fill(0), before: new Array(7).fill(0), speed: 0, island: 0, damage: 0 });
     }
   }
 
@@ -160,7 +173,7 @@ export class ReplayWriter {
       let along = 0;
       for (let k = 0; k < 4; ++k) along += q[k] * (stored.past > 0 ? stored.now[3 + k] : k === 0 ? 1 : 0);
       const sign = along < 0 ? -1 : 1;
-      const values = [...p.map((x) => Math.round(x / this.#quantum)), ...q.map((x) => Math.round(sign * x / TURN_UNIT))];
+      const values = [...p.map((x) => Math.round(x / stored.unit)), ...q.map((x) => Math.round(sign * x / TURN_UNIT))];
       values.forEach((value, k) => {
         const predicted = stored.past === 0 ? 0 : stored.past === 1 ? stored.now[k] : 2 * stored.now[k] - stored.before[k];
         arrays[k].push(value - predicted);
@@ -180,26 +193,6 @@ export class ReplayWriter {
     write('speed', ({ speed }) => speed < 1e-6 ? 0 : 1 + Math.round(28 * (Math.log10(speed) + 6)));
     write('island', ({ island }) => island ?? 0);
     if (this.hasDamage) write('damage', ({ damage }) => Math.round(255 * (damage ?? 0)));
-  }
-
-  #writeContacts(out, contacts) {
-    let largest = 0;
-    for (const { exact, force } of contacts) if (!exact) largest = Math.max(largest, ...force.map(Math.abs));
-    const unit = Math.fround(largest > 0 ? largest / 2000 : 1);
-    out.varint(contacts.length);
-    out.float32(unit);
-    for (const { status, exact, stored } of contacts) out.byte(status + (exact ? 128 : 0) + (stored ? 64 : 0));
-    let last = 0;
-    for (const { first } of contacts) {
-      out.signed(first - last);
-      last = first;
-    }
-    for (const { second } of contacts) out.varint(second);
-    for (let k = 0; k < 3; ++k) {
-      for (const { p, first } of contacts) out.signed(Math.round((Math.round(p[k] / this.#quantum) - this.#bodies[first].now[k]) / 4));
-    }
-    for (let k = 0; k < 3; ++k) for (const { n } of contacts) out.byte(Math.round(127 * n[k]));
-    for (const { exact, force } of contacts) for (const f of force) exact ? out.float32(f) : out.signed(Math.round(f / unit));
   }
 
   bytes() { return Buffer.concat(this.parts); }

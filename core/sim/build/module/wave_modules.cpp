@@ -60,6 +60,17 @@ hydro::WaveField draw_waves(const scene::Scene& scene, const hydro::Water& water
   }
 }
 
+/// What viewers draw of the waves.
+std::vector<bodies::DrawnSea> drawn_seas(const hydro::WaveField& field, double start) {
+  std::vector<bodies::DrawnSea> seas;
+  for (const hydro::WaveTrain& train : field.trains())
+    seas.push_back({start, train.ramp, train.ice.edge, train.ice.inward, {}});
+  for (const hydro::WaveComponent& wave : field.components())
+    seas[wave.train].waves.push_back(
+        {wave.amplitude, wave.frequency, wave.number * wave.direction, wave.phase, wave.decay});
+  return seas;
+}
+
 /// The angle by which a frame is turned about the vertical.
 double yaw_of(const Mat3& R) { return std::atan2(R(1, 0), R(0, 0)); }
 
@@ -112,6 +123,7 @@ void add_waves(const scene::Scene& scene, hydro::Water& water, WorldParts& parts
     parts.info.modules.emplace_back("waves", description(trains.back()));
   }
   parts.waves = std::make_shared<const hydro::WaveField>(draw_waves(scene, water, std::move(trains)));
+  parts.info.seas = drawn_seas(*parts.waves, scene.time.start);
   // Waves without height leave the water as it is, to the last bit.
   if (!parts.waves->components().empty()) water.flows.push_back(parts.waves);
 }

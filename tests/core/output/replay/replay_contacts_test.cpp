@@ -1,6 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
+#include <utility>
 
 #include "core/output/replay/contacts.h"
 #include "core/output/replay/replay_file.h"
@@ -37,6 +40,14 @@ void touch(contact::SolvedProblem& solved, const bodies::Bodies& bodies, int a, 
   solved.solution.r.conservativeResize(rows);
   solved.solution.u = VecX::Zero(rows);
   solved.solution.r.tail<3>() = Vec3(impulse.norm(), 0, 0);
+}
+
+/// Within the errors that docs/reference/replay-file.md states.
+void expect_pair(const test::ReplayContact& shown, const Vec3& force, const Vec3& p, double unit) {
+  EXPECT_LT(std::abs(shown.force.norm() / force.norm() - 1), 0.043);
+  EXPECT_LT((shown.force.normalized() - force.normalized()).norm(), 0.05);
+  EXPECT_LT((shown.n - Vec3(0, 0.6, 0.8)).norm(), 0.05);
+  EXPECT_LT((shown.p - p).norm(), 112 * unit);
 }
 
 class ReplayContactsTest : public testing::Test {
@@ -124,12 +135,61 @@ TEST_F(ReplayContactsTest, ForcesAndPointsAreReadBack) {
   ASSERT_EQ(replay.frames.size(), 1u);
   const auto& frame = replay.frames[0];
   ASSERT_EQ(frame.contacts.size(), 2u);
-  EXPECT_EQ(frame.contacts[0].status & 192, 192);
+  EXPECT_TRUE(frame.contacts[0].exact && frame.contacts[0].stored);
   EXPECT_EQ(frame.contacts[0].force, Vec3(2, 4, 6));
-  EXPECT_EQ(frame.contacts[1].status & 192, 0);
-  EXPECT_LT((frame.contacts[1].force - Vec3(-14, 6, 2e3)).norm(), 1e-3 * 2e3);
-  EXPECT_LT((frame.contacts[1].p - solved_.points[1].p).norm(), 8 * frame.quantum);
-  EXPECT_LT((frame.contacts[1].n - Vec3(0, 0.6, 0.8)).norm(), 0.01);
+  EXPECT_FALSE(frame.contacts[1].exact || frame.contacts[1].stored);
+  expect_pair(frame.contacts[1], Vec3(-14, 6, 2e3), solved_.points[1].p, frame.bodies[4].unit);
+}
+
+/// Sums over pairs are written as differences: pairs that stay, end, begin again and whose bodies go are read back.
+TEST_F(ReplayContactsTest, PairsAreReadBackWhileBodiesGo) {
+  for (const double x : {11, 13, 15})
+    test::add_body(bodies_, "floe", bodies::BodyKind::floe, bodies::Motion::free, test::triangle_floe(), 10,
+                   Vec3(x, 0, 0));
+  choice_.loaded.vessel = -1;
+  const test::ScratchFolder scratch;
+  scene::Scene scene;
+  sim::RunInfo info = test::full_run();
+  info.has_vessel = false;
+  ReplayFile file(scratch / "replay.bin", scene, info, {}, true);
+  using Touching = std::vector<std::pair<int, int>>;
+  const std::vector<Touching> steps{
+      {{4, 5}, {5, 6}, {6, 7}, {7, 8}}, {{4, 5}, {6, 7}, {4, 8}}, {{3, 4}, {5, 6}, {3, 7}}};
+  std::vector<std::vector<Vec3>> forces;
+  const Vec3 offset(2e-3, -3e-3, 1e-3);
+  for (std::size_t k = 0; k < steps.size(); ++k) {
+    solved_ = {};
+    forces.emplace_back();
+    if (k == 2) bodies_.remove({1, 0, 0, 0, 0, 0, 0, 0, 0});
+    for (int b = 3; b < bodies_.size(); ++b)
+      bodies_.set_pose(b, bodies_.p_GB[static_cast<std::size_t>(b)] + Vec3(0, 0.1, 0),
+                       Quat(Eigen::AngleAxisd(0.7 * static_cast<double>(k) + b, Vec3(1, 2, 3).normalized())));
+    for (const auto& [a, b] : steps[k]) {
+      forces.back().emplace_back(std::pow(10, a - 3), -b, 0.5);
+      touch(solved_, bodies_, a, b, 0.5 * forces.back().back());
+      solved_.points.back().p = bodies_.p_GB[static_cast<std::size_t>(b)] + offset;
+    }
+    file.frame({.t = static_cast<double>(k),
+                .h = 0.5,
+                .step = 3,
+                .bodies = bodies_,
+                .substeps = {solved_},
+                .damage = {},
+                .lines = {}});
+  }
+  const test::Replay replay(test::read_text(scratch / "replay.bin"));
+  ASSERT_EQ(replay.frames.size(), steps.size());
+  for (std::size_t k = 0; k < steps.size(); ++k) {
+    const auto& frame = replay.frames[k];
+    ASSERT_EQ(frame.contacts.size(), steps[k].size());
+    for (const auto& shown : frame.contacts) {
+      // Forces are those on the second of the two.
+      const Touching::value_type pair{static_cast<int>(shown.second), static_cast<int>(shown.first)};
+      const auto i = static_cast<std::size_t>(std::find(steps[k].begin(), steps[k].end(), pair) - steps[k].begin());
+      ASSERT_LT(i, steps[k].size()) << pair.first << " and " << pair.second << " do not touch in frame " << k;
+      expect_pair(shown, forces[k][i], frame.bodies[shown.first].p + offset, frame.bodies[shown.first].unit);
+    }
+  }
 }
 
 }  // namespace replay_contacts_test

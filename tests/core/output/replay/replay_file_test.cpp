@@ -136,24 +136,27 @@ TEST_F(ReplayFileTest, BodiesThatComeAndGoKeepTheirIdentity) {
     ASSERT_EQ(shown.size(), bodies_.id.size());
     for (std::size_t b = 0; b < shown.size(); ++b) {
       EXPECT_EQ(shown[b].id, bodies_.id[b]);
-      EXPECT_LT((shown[b].p - bodies_.p_GB[b]).norm(), 2 * replay.frames[k].quantum);
+      EXPECT_LT((shown[b].p - bodies_.p_GB[b]).norm(), 2 * shown[b].unit);
     }
   }
   EXPECT_FLOAT_EQ(static_cast<float>(replay.frames[2].bodies.back().mass), 7);
 }
 
-TEST_F(ReplayFileTest, ASmallerPieceMakesTheGridFiner) {
+TEST_F(ReplayFileTest, ASmallPieceHasAFinerUnitAndOthersKeepTheirs) {
   ReplayFile file(path_, scene_, info_, {}, false);
   frame(file, 0);
-  const double before = Replay(text()).frames.back().quantum;
+  const double before = Replay(text()).frames.back().bodies.back().unit;
   const geometry::Shape small = geometry::prism_shape({Vec2(-0.1, -0.1), Vec2(0.1, -0.1), Vec2(0, 0.1)}, 0.1);
   test::add_body(bodies_, "piece", bodies::BodyKind::floe, bodies::Motion::free, small, 1, Vec3(1, 2, 3));
   bodies_.id.back() = 500;
   frame(file, 1);
   const Replay replay(text());
-  EXPECT_TRUE(replay.frames.back().key);
-  EXPECT_DOUBLE_EQ(replay.frames.back().quantum, 0.8e-4 * 2 * bodies_.shape.back()->bounding_radius);
-  EXPECT_LT(replay.frames.back().quantum, before);
+  const auto& shown = replay.frames.back().bodies;
+  EXPECT_FALSE(replay.frames.back().key);
+  EXPECT_EQ(shown[shown.size() - 2].unit, before);
+  EXPECT_FLOAT_EQ(static_cast<float>(shown.back().unit),
+                  static_cast<float>(0.8e-4 * 2 * bodies_.shape.back()->bounding_radius));
+  EXPECT_LT((shown.back().p - Vec3(1, 2, 3)).norm(), shown.back().unit);
 }
 
 TEST_F(ReplayFileTest, AFileOfAKilledRunIsReadUpToItsLastWholePiece) {
@@ -164,6 +167,13 @@ TEST_F(ReplayFileTest, AFileOfAKilledRunIsReadUpToItsLastWholePiece) {
   const Replay cut(whole.substr(0, whole.size() - 5));
   EXPECT_EQ(cut.frames.size(), 2u);
   EXPECT_GT(cut.cut, 0u);
+}
+
+TEST_F(ReplayFileTest, AFullDiskEndsIt) {
+  EXPECT_THROW(ReplayFile("/dev/full", scene_, info_, {}, false), FileError);
+  std::filesystem::create_symlink("/dev/full", path_);
+  EXPECT_NE(test::refusal<FileError>([&] { ReplayFile(path_, scene_, info_, {}, false); }).find("No space left"),
+            std::string::npos);
 }
 
 TEST_F(ReplayFileTest, AResumedRunGoesOnInTheSameFile) {
@@ -218,6 +228,41 @@ TEST_F(ReplayFileTest, ChannelsHaveTheirRangeBetweenFrames) {
   EXPECT_EQ(replay.frames[1].channels[place], (std::array<float, 3>{4, 4, 4}));
 }
 
+TEST_F(ReplayFileTest, TheRangeOfAChannelIsRoundedOutwards) {
+  ReplayFile file(path_, scene_, info_, {}, false);
+  std::uniform_real_distribution<double> digits(-1, 1), power(-30, 30);
+  std::vector<std::array<double, 2>> ranges;
+  for (int k = 0; k < 200; ++k) {
+    const double a = digits(random_) * std::pow(10, power(random_)), b = digits(random_) * std::pow(10, power(random_));
+    ranges.push_back({std::min(a, b), std::max(a, b)});
+    record_.ledger.kinetic = ranges.back()[0];
+    file.note(record_, {});
+    record_.ledger.kinetic = ranges.back()[1];
+    frame(file, k);
+  }
+  const Replay replay(text());
+  for (std::size_t k = 0; k < ranges.size(); ++k) {
+    const auto& shown = replay.frames.at(k).channels[place_of(replay, "kinetic")];
+    for (std::size_t side = 0; side < 2; ++side) {
+      const double beyond = (side == 0 ? -1 : 1) * (static_cast<double>(shown[side + 1]) - ranges[k][side]);
+      const double rounding = 1e-7 * std::max(std::abs(ranges[k][0]), std::abs(ranges[k][1]));
+      EXPECT_GE(beyond, -rounding);
+      EXPECT_LE(beyond, std::ldexp(ranges[k][1] - ranges[k][0], -7) + rounding);
+    }
+  }
+}
+
+TEST_F(ReplayFileTest, AFrameBeforeTheFirstStepKnowsNoChannels) {
+  ReplayFile file(path_, scene_, info_, {}, false);
+  file.frame({.t = 0, .h = 0, .step = 0, .bodies = bodies_, .substeps = {}, .damage = {}, .lines = {}});
+  frame(file, 1);
+  const Replay replay(text());
+  for (const auto& channel : replay.frames[0].channels)
+    for (const float x : channel) EXPECT_TRUE(std::isnan(x));
+  for (const auto& channel : replay.frames[1].channels)
+    for (const float x : channel) EXPECT_TRUE(std::isfinite(x));
+}
+
 TEST_F(ReplayFileTest, LinesAndArrowsOfModulesAreShown) {
   ReplayFile file(path_, scene_, info_, {}, false);
   lines_.push_back({bodies::DrawnLine::Kind::mooring, "bow", 5e3, {Vec3(1, 2, -3), Vec3(4, 5, 0), Vec3(6, 7, 8)}});
@@ -237,7 +282,9 @@ TEST_F(ReplayFileTest, LinesAndArrowsOfModulesAreShown) {
 TEST(Pieces, OtherFilesAreRefused) {
   EXPECT_NE(test::refusal([] { pieces_of("no replay at all", "a.bin"); }).find("a.bin: is no replay file"),
             std::string::npos);
-  EXPECT_NE(test::refusal([] { pieces_of("NILASRP9", "a.bin"); }).find("another version"), std::string::npos);
+  EXPECT_NE(test::refusal([] { pieces_of("NILASRP1", "a.bin"); }).find("a.bin: has version 1"), std::string::npos);
+  EXPECT_NE(test::refusal([] { pieces_of("NILASRP", "a.bin"); }).find("ends before its first piece"),
+            std::string::npos);
   std::string bytes = std::string(k_signature) + packed_piece(k_head, "{}");
   bytes.back() = 'x';
   EXPECT_NE(test::refusal([&] { pieces_of(bytes, "a.bin"); }).find("damaged at byte 8"), std::string::npos);

@@ -2,12 +2,15 @@
 /// Reads a replay as its page does: the format by docs/reference/replay-file.md, written apart from the program.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -73,7 +76,7 @@ struct ReplayBody {
   int kind = 0;
   std::uint64_t shape = 0;
   bool fixed = false;
-  double thickness = 0, mass = 0;
+  double thickness = 0, mass = 0, unit = 0;
   std::string name;
   int past = 0;
   std::array<std::int64_t, 7> now{}, before{};
@@ -83,7 +86,9 @@ struct ReplayBody {
 };
 struct ReplayContact {
   int status = 0;
+  bool exact = false, stored = false;
   std::size_t first = 0, second = 0;
+  std::array<std::int64_t, 8> numbers{};  ///< of a pair
   Vec3 p = Vec3::Zero(), n = Vec3::Zero(), force = Vec3::Zero();
 };
 struct ReplayIsland {
@@ -98,7 +103,7 @@ struct ReplayLine {
 };
 struct ReplayFrame {
   bool key = false;
-  double t = 0, h = 0, quantum = 0;
+  double t = 0, h = 0;
   std::uint64_t step = 0;
   std::vector<ReplayBody> bodies;
   std::vector<ReplayIsland> islands;
@@ -116,13 +121,14 @@ class Replay {
       ByteReader in(output::replay::unpacked(piece.packed));
       if (piece.kind == 'H') head = nlohmann::json::parse(output::replay::unpacked(piece.packed));
       while (piece.kind == 'S' && !in.at_end()) read_shape(in);
+      if (piece.kind == 'W') waves = nlohmann::json::parse(output::replay::unpacked(piece.packed));
       if (piece.kind == 'E') end = nlohmann::json::parse(output::replay::unpacked(piece.packed)).at("reason");
       if (piece.kind == 'F') read_frame(in);
       EXPECT_TRUE(piece.kind != 'F' || in.at_end());
     }
   }
 
-  nlohmann::json head;
+  nlohmann::json head, waves;
   std::map<std::uint64_t, ReplayShape> shapes;
   std::vector<ReplayFrame> frames;
   std::size_t cut = 0;
@@ -149,13 +155,11 @@ class Replay {
   void read_frame(ByteReader& in) {
     ReplayFrame frame;
     frame.channels.resize(head.at("channels").size());
-    for (auto& channel : frame.channels)
-      for (float& x : channel) x = in.number<float>();
+    for (auto& channel : frame.channels) channel = read_channel(in);
     frame.key = (in.number<unsigned char>() & 1) != 0;
     frame.t = in.number<double>();
     frame.step = in.varint();
     frame.h = in.number<double>();
-    frame.quantum = in.number<double>();
     if (!frame.key) frame.bodies = frames.back().bodies;
     read_list(in, frame);
     read_arrays(in, frame);
@@ -165,7 +169,8 @@ class Replay {
       island.iterations = in.varint();
       island.residual = static_cast<double>(in.number<float>());
     }
-    read_contacts(in, frame);
+    read_exact(in, frame);
+    read_pairs(in, frame);
     frame.lines.resize(in.varint());
     for (auto& line : frame.lines) {
       line.kind = in.number<unsigned char>();
@@ -193,6 +198,7 @@ class Replay {
       body.fixed = in.number<unsigned char>() != 0;
       body.thickness = static_cast<double>(in.number<float>());
       body.mass = static_cast<double>(in.number<float>());
+      body.unit = static_cast<double>(in.number<float>());
       body.name = in.text();
       frame.bodies.push_back(body);
     }
@@ -214,31 +220,88 @@ class Replay {
     for (ReplayBody& body : frame.bodies) {
       body.past = std::min(body.past + 1, 2);
       const auto& x = body.now;
-      body.p = frame.quantum * Vec3(static_cast<double>(x[0]), static_cast<double>(x[1]), static_cast<double>(x[2]));
+      body.p = body.unit * Vec3(static_cast<double>(x[0]), static_cast<double>(x[1]), static_cast<double>(x[2]));
       body.q = Quat(static_cast<double>(x[3]), static_cast<double>(x[4]), static_cast<double>(x[5]),
                     static_cast<double>(x[6]))
                    .normalized();
     }
   }
 
-  static void read_contacts(ByteReader& in, ReplayFrame& frame) {
-    frame.contacts.resize(in.varint());
-    const auto unit = static_cast<double>(in.number<float>());
-    for (auto& c : frame.contacts) c.status = in.number<unsigned char>();
+  /// Value, smallest, largest.
+  static std::array<float, 3> read_channel(ByteReader& in) {
+    const auto value = in.number<float>();
+    const auto half = [&] {
+      return std::bit_cast<float>(static_cast<std::uint32_t>(in.number<std::uint16_t>()) << 16);
+    };
+    const float below = half(), above = half();
+    return {value, value - below, value + above};
+  }
+
+  static void read_places(ByteReader& in, std::span<ReplayContact> contacts) {
     std::int64_t place = 0;
-    for (auto& c : frame.contacts) c.first = static_cast<std::size_t>(place += in.signed_varint());
-    for (auto& c : frame.contacts) c.second = in.varint();
+    for (auto& c : contacts) c.first = static_cast<std::size_t>(place += in.signed_varint());
+    for (auto& c : contacts) c.second = in.varint();
+  }
+
+  static void read_exact(ByteReader& in, ReplayFrame& frame) {
+    frame.contacts.resize(in.varint());
+    for (auto& c : frame.contacts) {
+      const int byte = in.number<unsigned char>();
+      c.status = byte & 63;
+      c.exact = true;
+      c.stored = (byte & 64) != 0;
+    }
+    read_places(in, frame.contacts);
     for (int k = 0; k < 3; ++k)
-      for (auto& c : frame.contacts)
-        c.p[k] = frame.bodies.at(c.first).p[k] + 4 * frame.quantum * static_cast<double>(in.signed_varint());
+      for (auto& c : frame.contacts) {
+        const ReplayBody& body = frame.bodies.at(c.first);
+        c.p[k] = body.p[k] + 4 * body.unit * static_cast<double>(in.signed_varint());
+      }
     for (int k = 0; k < 3; ++k)
       for (auto& c : frame.contacts) c.n[k] = in.number<signed char>() / 127.0;
-    for (auto& c : frame.contacts) {
-      if ((c.status & 128) != 0) {
-        c.force = in.floats();
-        continue;
-      }
-      for (int k = 0; k < 3; ++k) c.force[k] = unit * static_cast<double>(in.signed_varint());
+    for (auto& c : frame.contacts) c.force = in.floats();
+  }
+
+  /// The pairs of the frame before that touch still, by the places of now.
+  std::vector<ReplayContact> kept_pairs(ByteReader& in, const ReplayFrame& frame) const {
+    std::vector<ReplayContact> kept;
+    if (frame.key) return kept;
+    const auto place_of = [&](std::size_t before) {
+      const auto id = frames.back().bodies.at(before).id;
+      const auto found =
+          std::find_if(frame.bodies.begin(), frame.bodies.end(), [&](const auto& b) { return b.id == id; });
+      return static_cast<std::size_t>(found - frame.bodies.begin());
+    };
+    for (ReplayContact pair : frames.back().contacts) {
+      if (pair.exact) continue;
+      pair.first = place_of(pair.first);
+      pair.second = place_of(pair.second);
+      if (std::max(pair.first, pair.second) < frame.bodies.size() && in.number<unsigned char>() == 0)
+        kept.push_back(pair);
+    }
+    return kept;
+  }
+
+  void read_pairs(ByteReader& in, ReplayFrame& frame) const {
+    std::vector<ReplayContact> pairs = kept_pairs(in, frame);
+    const std::size_t old = pairs.size();
+    pairs.resize(old + in.varint());
+    read_places(in, std::span(pairs).subspan(old));
+    for (auto& c : pairs) c.status = in.number<unsigned char>();
+    for (std::size_t k = 0; k < 8; ++k)
+      for (auto& c : pairs) c.numbers[k] += in.signed_varint();
+    for (auto& c : pairs) {
+      const ReplayBody& body = frame.bodies.at(c.first);
+      const auto number = [&](std::size_t k) { return static_cast<double>(c.numbers[k]); };
+      const auto direction = [](double around, double up) {
+        const double unit = k_pi / 64;
+        return Vec3(std::cos(unit * up) * std::cos(unit * around), std::cos(unit * up) * std::sin(unit * around),
+                    std::sin(unit * up));
+      };
+      c.p = body.p + body.q * (128 * body.unit * Vec3(number(3), number(4), number(5)));
+      c.n = body.q * direction(number(0), number(1));
+      c.force = std::pow(10, number(6) / 28) * (body.q * direction(number(0) + number(7), number(1) + number(2)));
+      frame.contacts.push_back(c);
     }
   }
 };

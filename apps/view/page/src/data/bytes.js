@@ -1,3 +1,5 @@
+const HALF = new DataView(new ArrayBuffer(4));
+
 /**
  * Reads numbers from the unpacked content of a piece. All numbers are little-endian.
  * The encoding is described in docs/reference/replay-file.md.
@@ -27,6 +29,12 @@ export class ByteReader {
     const value = this.view.getFloat32(this.at, true);
     this.at += 4;
     return value;
+  }
+
+  /** The upper half of a float32; the lower half is 0. */
+  halfFloat32() {
+    HALF.setUint16(0, this.byte() | (this.byte() << 8));
+    return HALF.getFloat32(0);
   }
 
   float64() {

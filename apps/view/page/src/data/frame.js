@@ -1,9 +1,8 @@
 import { ByteReader } from './bytes.js';
+import { decodeContacts } from './contacts.js';
 
 export const BodyKind = { floe: 0, vessel: 1, rigid: 2, wall: 3, part: 4 };
-export const ContactStatus = { open: 0, stick: 1, slip: 2, crush: 3 };
-const KEY_FLAG = 1, EXACT_FLAG = 128, STORED_FLAG = 64;
-const TURN_UNIT = 1 / 32768, NORMAL_UNIT = 1 / 127, POINT_UNITS = 4;
+const KEY_FLAG = 1, TURN_UNIT = 1 / 32768;
 
 /**
  * What stays the same of the bodies while none comes or goes, so frames share it.
@@ -14,17 +13,17 @@ const TURN_UNIT = 1 / 32768, NORMAL_UNIT = 1 / 127, POINT_UNITS = 4;
  * @property {Uint8Array} fixed
  * @property {Float32Array} thickness [m]
  * @property {Float32Array} mass [kg]
+ * @property {Float32Array} unit of positions [m]
  * @property {Map<number, string>} names by id, of those that have one
  */
 
 /**
- * The state at the end of a step. Positions are in units of `quantum`, turns (w, x, y, z) in units of 2^-15.
+ * The state at the end of a step. Positions are in units of the body, turns (w, x, y, z) in units of 2^-15.
  * @typedef {object} Frame
  * @property {boolean} isKey
  * @property {number} time [s]
  * @property {number} step
  * @property {number} stepLength [s]
- * @property {number} quantum [m]
  * @property {BodyList} bodies
  * @property {Float64Array} place x of all bodies, then y, then z
  * @property {Int32Array} turn w of all bodies, then x, y, z
@@ -35,30 +34,29 @@ const TURN_UNIT = 1 / 32768, NORMAL_UNIT = 1 / 127, POINT_UNITS = 4;
  * @property {Int32Array} island
  * @property {Uint8Array|null} damage in units of 1/255
  * @property {{contacts: number, iterations: number, residual: number}[]} islands
- * @property {Contacts} contacts
- * @property {Float32Array} channels value, smallest and largest of each channel
+ * @property {import('./contacts.js').Contacts} contacts
+ * @property {Float32Array} channels value, smallest and largest of each channel; not a number where it is not known
  * @property {Line[]} lines
- */
-
-/**
- * @typedef {object} Contacts
- * @property {number} count
- * @property {Uint8Array} status one of ContactStatus
- * @property {Uint8Array} exact whether the force is stored exactly
- * @property {Uint8Array} stored whether contacts.h5 has the contact
- * @property {Uint32Array} first the place of the first body in the list
- * @property {Uint32Array} second
- * @property {Float64Array} point x, y, z of each contact [m]
- * @property {Float32Array} normal x, y, z of each, into the first body
- * @property {Float32Array} force x, y, z of each, on the first body [N]
  */
 
 /** @typedef {{kind: number, name: string, force: number, points: Float32Array}} Line */
 
+/** Value, smallest and largest of each channel. The file has how far it was below and above the value. */
+function decodeChannels(reader, count) {
+  const channels = new Float32Array(3 * count);
+  for (let c = 0; c < channels.length; c += 3) {
+    const value = reader.float32();
+    channels[c] = value;
+    channels[c + 1] = value - reader.halfFloat32();
+    channels[c + 2] = value + reader.halfFloat32();
+  }
+  return channels;
+}
+
 /** What the index needs of a frame, without its bodies. @returns {{time: number, isKey: boolean, channels: Float32Array}} */
 export function decodeFrameHead(content, numChannels) {
   const reader = new ByteReader(content);
-  const channels = reader.float32Array(3 * numChannels);
+  const channels = decodeChannels(reader, numChannels);
   const isKey = (reader.byte() & KEY_FLAG) !== 0;
   return { channels, isKey, time: reader.float64() };
 }
@@ -72,16 +70,17 @@ export function decodeFrameHead(content, numChannels) {
  */
 export function decodeFrame(content, head, before) {
   const reader = new ByteReader(content);
-  const channels = reader.float32Array(3 * head.channels.length);
+  const channels = decodeChannels(reader, head.channels.length);
   const isKey = (reader.byte() & KEY_FLAG) !== 0;
   if (!isKey && !before) throw new Error('A frame that is no key frame was decoded without the frame before it.');
-  const time = reader.float64(), step = reader.varint(), stepLength = reader.float64(), quantum = reader.float64();
+  const time = reader.float64(), step = reader.varint(), stepLength = reader.float64();
   const { bodies, origin } = decodeBodyList(reader, isKey ? null : before);
   const motion = decodeMotion(reader, origin, isKey ? null : before);
   const marks = decodeMarks(reader, origin, isKey ? null : before, head.damage);
   const islands = decodeIslands(reader);
-  const contacts = decodeContacts(reader, motion.place, bodies.id.length, quantum);
-  return { isKey, time, step, stepLength, quantum, bodies, ...motion, ...marks, islands, contacts, channels,
+  const contacts = decodeContacts(reader, { ...motion, unit: bodies.unit, count: bodies.id.length },
+                                  isKey ? null : { contacts: before.contacts, placeNow: placesNow(origin, before) });
+  return { isKey, time, step, stepLength, bodies, ...motion, ...marks, islands, contacts, channels,
            lines: decodeLines(reader) };
 }
 
@@ -103,7 +102,7 @@ function decodeBodyList(reader, before) {
   const count = oldCount - numGone + numCame;
   const bodies = {
     id: new Float64Array(count), kind: new Uint8Array(count), shape: new Int32Array(count), fixed: new Uint8Array(count),
-    thickness: new Float32Array(count), mass: new Float32Array(count), names: new Map(old ? old.names : []),
+    thickness: new Float32Array(count), mass: new Float32Array(count), unit: new Float32Array(count), names: new Map(old ? old.names : []),
   };
   const origin = new Int32Array(count).fill(-1);
   let at = 0;
@@ -113,7 +112,7 @@ function decodeBodyList(reader, before) {
       continue;
     }
     origin[at] = k;
-    for (const key of ['id', 'kind', 'shape', 'fixed', 'thickness', 'mass']) bodies[key][at] = old[key][k];
+    for (const key of ['id', 'kind', 'shape', 'fixed', 'thickness', 'mass', 'unit']) bodies[key][at] = old[key][k];
     ++at;
   }
   for (let id = 0; at < count; ++at) {
@@ -124,10 +123,19 @@ function decodeBodyList(reader, before) {
     bodies.fixed[at] = reader.byte();
     bodies.thickness[at] = reader.float32();
     bodies.mass[at] = reader.float32();
+    bodies.unit[at] = reader.float32();
     const name = reader.text();
     if (name) bodies.names.set(id, name);
   }
   return { bodies, origin };
+}
+
+/** A function that gives the place of a body in the list from that in the frame before, -1 if it went. */
+function placesNow(origin, before) {
+  if (!origin) return (place) => place;
+  const now = new Int32Array(before.bodies.id.length).fill(-1);
+  for (let b = 0; b < origin.length; ++b) if (origin[b] >= 0) now[origin[b]] = b;
+  return (place) => now[place];
 }
 
 /** `values` of the frame before, in the order of the new list; 0 for a body that came. */
@@ -190,30 +198,6 @@ function decodeIslands(reader) {
   return islands;
 }
 
-/** @returns {Contacts} */
-function decodeContacts(reader, place, numBodies, quantum) {
-  const count = reader.varint(), unit = reader.float32();
-  const flags = reader.span(count);
-  const status = flags.map((flag) => flag & 63);
-  const exact = flags.map((flag) => flag & EXACT_FLAG ? 1 : 0), stored = flags.map((flag) => flag & STORED_FLAG ? 1 : 0);
-  const first = new Uint32Array(count);
-  for (let i = 0, at = 0; i < count; ++i) first[i] = at += reader.signed();
-  const second = reader.varintArray(count);
-  const point = new Float64Array(3 * count), normal = new Float32Array(3 * count), force = new Float32Array(3 * count);
-  for (let k = 0; k < 3; ++k) {
-    for (let i = 0; i < count; ++i) {
-      if (first[i] >= numBodies) throw new RangeError('A contact names a body that is not there.');
-      point[3 * i + k] = (place[k * numBodies + first[i]] + POINT_UNITS * reader.signed()) * quantum;
-    }
-  }
-  const codes = reader.span(3 * count);
-  for (let k = 0; k < 3; ++k) {
-    for (let i = 0; i < count; ++i) normal[3 * i + k] = ((codes[k * count + i] << 24) >> 24) * NORMAL_UNIT;
-  }
-  for (let i = 0; i < 3 * count; ++i) force[i] = exact[(i / 3) | 0] ? reader.float32() : reader.signed() * unit;
-  return { count, status, exact, stored, first, second, point, normal, force };
-}
-
 /** @returns {Line[]} */
 function decodeLines(reader) {
   const lines = new Array(reader.varint());
@@ -224,10 +208,13 @@ function decodeLines(reader) {
   return lines;
 }
 
+/** Coordinate k of the place of a body [m]. */
+export function coordinate({ bodies, place }, b, k) { return place[k * bodies.id.length + b] * bodies.unit[b]; }
+
 /** Position [m] and unit quaternion (x, y, z, w) of a body, into `pose` from `at` on. */
 export function readPose(frame, b, pose, at = 0) {
   const n = frame.bodies.id.length;
-  for (let k = 0; k < 3; ++k) pose[at + k] = frame.place[k * n + b] * frame.quantum;
+  for (let k = 0; k < 3; ++k) pose[at + k] = coordinate(frame, b, k);
   const w = frame.turn[b] * TURN_UNIT, x = frame.turn[n + b] * TURN_UNIT;
   const y = frame.turn[2 * n + b] * TURN_UNIT, z = frame.turn[3 * n + b] * TURN_UNIT;
   const scale = 1 / (Math.hypot(w, x, y, z) || 1);
@@ -244,4 +231,4 @@ export function speedOf(frame, b) {
 }
 
 /** The bytes that a frame holds in memory, about. */
-export function bytesOf(frame) { return 120 * frame.bodies.id.length + 60 * frame.contacts.count + 4 * frame.channels.length + 2000; }
+export function bytesOf(frame) { return 120 * frame.bodies.id.length + 100 * frame.contacts.count + 4 * frame.channels.length + 2000; }

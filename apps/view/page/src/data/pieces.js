@@ -1,6 +1,6 @@
 /** Splits a stream of bytes into the pieces of a replay. */
 
-export const SIGNATURE = 'NILASRP1';
+export const SIGNATURE = 'NILASRP2';
 const HEAD_BYTES = 5;
 
 /** The replay is of another version, or no replay at all. `message` is a sentence for the user. */
@@ -69,7 +69,7 @@ function checkSignature(data) {
   const found = String.fromCharCode(...data.subarray(0, length));
   if (found === SIGNATURE.slice(0, length)) return;
   if (found.startsWith('NILASRP'.slice(0, length))) {
-    throw new ReplayError(`This replay has version ${found.slice(7)}, and this page reads version 1. ` +
+    throw new ReplayError(`This replay has version ${found.slice(7)}, and this page reads version ${SIGNATURE.slice(7)}. ` +
       'Write the page again with the program that made the run.');
   }
   throw new ReplayError('This file is not a replay of Nilas.');

@@ -1,4 +1,5 @@
-import { BodyKind, ContactStatus } from '../data/frame.js';
+import { ContactStatus } from '../data/contacts.js';
+import { BodyKind } from '../data/frame.js';
 import { Dots } from './dots.js';
 import { Rods } from './rods.js';
 import { rampColour } from './colours.js';

@@ -13,7 +13,8 @@ export function typicalForce(recording) {
   const peaks = [];
   for (const { channels } of recording.entries) {
     let peak = 0;
-    for (const c of places) peak = Math.max(peak, Math.abs(channels[3 * c + 1]), Math.abs(channels[3 * c + 2]));
+    // A frame before the first step has no numbers.
+    for (const c of places) peak = Math.max(peak, Math.abs(channels[3 * c + 1]) || 0, Math.abs(channels[3 * c + 2]) || 0);
     if (peak > 0) peaks.push(peak);
   }
   if (peaks.length === 0) return null;

@@ -181,7 +181,7 @@ export class World {
     return {
       bodies: this.floes.count + this.walls.count + this.vessel.count, bodiesInFrame: bodies.id.length,
       contacts: this.contacts.points.count, contactsInFrame: contacts.count, crushed: this.contacts.rings.count,
-      normals: this.contacts.normals.count, chains: this.contacts.chains.count, lines: frame.lines.length, arrows,
+      normals: this.contacts.normals.count, chains: this.contacts.chains.count, lines: frame.lines.length, waves: this.water.numWaves, arrows,
       picked: this.picked, legend: this.colours.legend, metresPerNewton: this.metresPerNewton,
     };
   }

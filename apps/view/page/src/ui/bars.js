@@ -19,14 +19,20 @@ export class TimeBars {
     const { entries } = this.recording;
     if (this.numFrames !== entries.length) {
       this.numFrames = entries.length;
-      this.means = this.places.map(({ c }) => entries.reduce((sum, { channels }) => sum + channels[3 * c], 0) / entries.length);
+      this.means = this.places.map(({ c }) => meanOf(entries.map(({ channels }) => channels[3 * c])));
     }
     const values = this.places.map(({ c }) => frame.channels[3 * c]);
-    const most = Math.max(...values, ...this.means, 1e-9);
+    const most = Math.max(...[...values, ...this.means].filter(Number.isFinite), 1e-9);
     this.#rows.forEach(({ bar, mean, value }, k) => {
-      bar.style.width = `${100 * Math.max(values[k], 0) / most}%`;
-      mean.style.left = `${100 * this.means[k] / most}%`;
+      bar.style.width = `${100 * Math.max(values[k] || 0, 0) / most}%`;
+      mean.style.left = `${100 * (this.means[k] || 0) / most}%`;
       setText(value, `${formatNumber(values[k])} ms`);
     });
   }
+}
+
+/** The mean of those that are known; the first frame, before any step, knows none. */
+function meanOf(values) {
+  const known = values.filter(Number.isFinite);
+  return known.reduce((sum, value) => sum + value, 0) / known.length;
 }

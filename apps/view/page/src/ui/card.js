@@ -1,4 +1,4 @@
-import { BodyKind } from '../data/frame.js';
+import { BodyKind, coordinate } from '../data/frame.js';
 import { placesIn } from '../scene/poses.js';
 import { el } from './dom.js';
 import { formatLength, formatMass, formatValue } from './format.js';
@@ -30,8 +30,7 @@ export function describeBody(frame, before, id) {
 function velocityOf(frame, before, b) {
   const place = placesIn(frame.bodies, before.bodies)(b), step = frame.time - before.time;
   if (place < 0 || !(step > 0)) return null;
-  const now = frame.bodies.id.length, then = before.bodies.id.length;
-  return [0, 1, 2].map((k) => (frame.place[k * now + b] * frame.quantum - before.place[k * then + place] * before.quantum) / step);
+  return [0, 1, 2].map((k) => (coordinate(frame, b, k) - coordinate(before, place, k)) / step);
 }
 
 /** The contacts of a body, the strongest first. Forces are those on it [N]. */

@@ -31,6 +31,7 @@ export function unitFor(size, unit) {
 
 /** A value with its unit. */
 export function formatValue(value, unit) {
+  if (!Number.isFinite(value)) return formatNumber(value);
   const [factor, text] = unitFor(Math.abs(value), unit);
   return text ? `${formatNumber(value * factor)} ${text}` : formatNumber(value);
 }

@@ -95,7 +95,8 @@ export class Graphs {
 
   #data(c) {
     const { entries } = this.recording;
-    const column = (k) => Float64Array.from(entries, ({ channels }) => channels[3 * c + k]);
+    // The first frame knows no values; null leaves a gap.
+    const column = (k) => entries.map(({ channels }) => Number.isFinite(channels[3 * c + k]) ? channels[3 * c + k] : null);
     return [Float64Array.from(entries, ({ time }) => time), column(1), column(2), column(0)];
   }
 

@@ -8,7 +8,8 @@ const SENTENCES = [
   ['Graphs', 'Click a graph to go to that time. The line is the value at each frame, the band reaches from the smallest to the largest value since the frame before.'],
   ['Arrows', 'An arrow ends at its contact and shows the force on the vessel, else on a fixed body, else on a floe. One length scale holds for all arrows.'],
   ['Contacts', 'Two free floes have one contact a frame: the mean point and the sum of the forces. Contacts of the vessel are drawn one by one.'],
-  ['Waves', 'The water shows the waves as they are without ice. Very short ones are left out.'],
+  ['Waves', 'The water shows the waves of the run, weaker under ice where the scene says so. Floes and hull do not change them. Very short ones are left out.'],
+  ['Forces of pairs', 'The force between two free floes is rounded to 4 %, and its point to 1 % of the size of the floe. Those on the vessel are exact.'],
 ];
 
 /** The help, with the licences of what the page is made of. */

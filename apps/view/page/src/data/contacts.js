@@ -1,0 +1,127 @@
+import { turned } from './turn.js';
+
+export const ContactStatus = { open: 0, stick: 1, slip: 2, crush: 3 };
+const STATUS_MASK = 63, STORED_FLAG = 64;
+const NORMAL_UNIT = 1 / 127, POINT_UNITS = 4, PAIR_POINT_UNITS = 128;
+/** Angles are counted in these steps of a circle, and forces in these steps of a decade. */
+const CIRCLE = 128, FORCE_STEPS = 28;
+/** The numbers of a pair, in the order of the file. */
+const OF_PAIR = { normalAround: 0, normalUp: 1, forceUp: 2, x: 3, y: 4, z: 5, force: 6, forceAround: 7 };
+const NUMBERS = 8, TURNING = new Set([OF_PAIR.normalAround, OF_PAIR.forceAround]);
+
+/**
+ * The contacts of a frame: first those whose force is stored exactly, then the sums over pairs of bodies.
+ * @typedef {object} Contacts
+ * @property {number} count
+ * @property {Uint8Array} status one of ContactStatus
+ * @property {Uint8Array} exact whether the force is stored exactly
+ * @property {Uint8Array} stored whether contacts.h5 has the contact
+ * @property {Uint32Array} first the place of the first body in the list
+ * @property {Uint32Array} second
+ * @property {Float64Array} point x, y, z of each contact [m]
+ * @property {Float32Array} normal x, y, z of each, into the first body
+ * @property {Float32Array} force x, y, z of each, on the first body [N]
+ * @property {Int32Array} pairNumbers the stored numbers of all pairs, kind by kind; the next frame counts from them
+ */
+
+/**
+ * @param {import('./bytes.js').ByteReader} reader
+ * @param {{place: Float64Array, turn: Int32Array, unit: Float32Array, count: number}} bodies those of this frame
+ * @param {{contacts: Contacts, placeNow: (place: number) => number}|null} before the frame before, and where its bodies
+ *   are in the list now, -1 for one that went
+ * @returns {Contacts}
+ */
+export function decodeContacts(reader, bodies, before) {
+  const numExact = reader.varint();
+  const exact = decodeExact(reader, bodies, numExact);
+  const pairs = decodePairs(reader, before), count = numExact + pairs.first.length;
+  const contacts = {
+    count, status: new Uint8Array(count), exact: new Uint8Array(count).fill(1, 0, numExact), stored: new Uint8Array(count),
+    first: new Uint32Array(count), second: new Uint32Array(count),
+    point: new Float64Array(3 * count), normal: new Float32Array(3 * count), force: new Float32Array(3 * count),
+    pairNumbers: pairs.numbers,
+  };
+  for (const key of ['status', 'stored', 'first', 'second', 'point', 'normal', 'force']) contacts[key].set(exact[key]);
+  for (const key of ['status', 'first', 'second']) contacts[key].set(pairs[key], numExact);
+  placePairs(contacts, numExact, bodies);
+  return contacts;
+}
+
+function decodeExact(reader, bodies, count) {
+  const flags = reader.span(count), first = new Uint32Array(count);
+  for (let i = 0, at = 0; i < count; ++i) first[i] = at += reader.signed();
+  const second = reader.varintArray(count);
+  demandBodies(first, second, bodies.count);
+  const point = new Float64Array(3 * count), normal = new Float32Array(3 * count);
+  for (let k = 0; k < 3; ++k) {
+    for (let i = 0; i < count; ++i) {
+      point[3 * i + k] = (bodies.place[k * bodies.count + first[i]] + POINT_UNITS * reader.signed()) * bodies.unit[first[i]];
+    }
+  }
+  const codes = reader.span(3 * count);
+  for (let k = 0; k < 3; ++k) {
+    for (let i = 0; i < count; ++i) normal[3 * i + k] = ((codes[k * count + i] << 24) >> 24) * NORMAL_UNIT;
+  }
+  return { status: flags.map((flag) => flag & STATUS_MASK), stored: flags.map((flag) => flag & STORED_FLAG ? 1 : 0), first, second,
+           point, normal, force: reader.float32Array(3 * count) };
+}
+
+function demandBodies(first, second, count) {
+  for (const places of [first, second]) {
+    for (const place of places) if (place >= count) throw new RangeError('A contact names a body that is not there.');
+  }
+}
+
+/** Pairs that stay come first, in their order, then new ones. Their numbers count from those of the frame before. */
+function decodePairs(reader, before) {
+  const kept = before ? keptPairs(reader, before) : { first: [], second: [], from: [] };
+  const { first, second, from } = kept, numKept = first.length, oldCount = before ? before.contacts.pairNumbers.length / NUMBERS : 0;
+  const numNew = reader.varint();
+  for (let i = 0, at = 0; i < numNew; ++i) first.push(at += reader.signed());
+  for (let i = 0; i < numNew; ++i) second.push(reader.varint());
+  const count = first.length, numbers = new Int32Array(NUMBERS * count);
+  const status = reader.span(count);
+  for (let k = 0; k < NUMBERS; ++k) {
+    const old = k * oldCount;
+    for (let i = 0; i < count; ++i) {
+      const value = reader.signed() + (i < numKept ? before.contacts.pairNumbers[old + from[i]] : 0);
+      numbers[k * count + i] = TURNING.has(k) ? value & (CIRCLE - 1) : value;
+    }
+  }
+  return { first, second, status, numbers };
+}
+
+/** The pairs of the frame before whose bodies are still there and that are not named as gone. */
+function keptPairs(reader, { contacts, placeNow }) {
+  const first = [], second = [], from = [], start = contacts.count - contacts.pairNumbers.length / NUMBERS;
+  for (let i = start; i < contacts.count; ++i) {
+    const a = placeNow(contacts.first[i]), b = placeNow(contacts.second[i]);
+    if (a < 0 || b < 0 || reader.byte() !== 0) continue;
+    first.push(a);
+    second.push(b);
+    from.push(i - start);
+  }
+  return { first, second, from };
+}
+
+/** Fills in points, normals and forces of pairs from their numbers, which are in the frame of the first body. */
+function placePairs({ first, second, point, normal, force, pairNumbers }, start, bodies) {
+  const count = pairNumbers.length / NUMBERS, step = 2 * Math.PI / CIRCLE;
+  demandBodies(first.subarray(start), second.subarray(start), bodies.count);
+  const number = (k, i) => pairNumbers[k * count + i];
+  for (let i = 0; i < count; ++i) {
+    const b = first[start + i], at = 3 * (start + i), q = [0, 1, 2, 3].map((k) => bodies.turn[k * bodies.count + b]);
+    const offset = turned(q, number(OF_PAIR.x, i), number(OF_PAIR.y, i), number(OF_PAIR.z, i));
+    for (let k = 0; k < 3; ++k) {
+      point[at + k] = (bodies.place[k * bodies.count + b] + PAIR_POINT_UNITS * offset[k]) * bodies.unit[b];
+    }
+    const around = number(OF_PAIR.normalAround, i), up = number(OF_PAIR.normalUp, i);
+    normal.set(turned(q, ...direction(step * around, step * up, 1)), at);
+    const size = 10 ** (number(OF_PAIR.force, i) / FORCE_STEPS);
+    force.set(turned(q, ...direction(step * (around + number(OF_PAIR.forceAround, i)), step * (up + number(OF_PAIR.forceUp, i)), size)), at);
+  }
+}
+
+function direction(around, up, size) {
+  return [size * Math.cos(up) * Math.cos(around), size * Math.cos(up) * Math.sin(around), size * Math.sin(up)];
+}

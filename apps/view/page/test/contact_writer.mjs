@@ -1,0 +1,79 @@
+/** Writes the contacts of a frame, as docs/reference/replay-file.md says. It knows nothing of the page. */
+
+const CIRCLE = 128, FORCE_STEPS = 28, LEAST_FORCE = 1e-12;
+
+/** A vector in the frame of a body that is turned by the unit quaternion (w, x, y, z). */
+function inBody([w, x, y, z], [a, b, c]) {
+  const rows = [[1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y)], [2 * (x * y - w * z), 1 - 2 * (x * x + z * z), 2 * (y * z + w * x)],
+                [2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)]];
+  return rows.map(([p, q, r]) => p * a + q * b + r * c);
+}
+
+/** The angle about z and the angle above the plane of x and y, in steps. */
+function angles([x, y, z]) {
+  const size = Math.hypot(x, y, z) || 1, step = 2 * Math.PI / CIRCLE;
+  return [Math.round(Math.atan2(y, x) / step), Math.round(Math.asin(Math.min(1, Math.max(-1, z / size))) / step)];
+}
+
+/** Equal to `a` but for whole circles, and nearest to 0. */
+const wrapped = (a) => ((a + CIRCLE / 2) % CIRCLE + CIRCLE) % CIRCLE - CIRCLE / 2;
+
+export class ContactWriter {
+  /** Pairs of the frame before: {ids, numbers}. */
+  #pairs = [];
+
+  /** Contacts are {status, exact, stored, first, second, p, n, force}, with places in `bodies`. */
+  write(out, contacts, bodies, { isKey, stored }) {
+    this.#writeExact(out, contacts.filter(({ exact }) => exact), stored);
+    this.#writePairs(out, contacts.filter(({ exact }) => !exact), bodies, stored, isKey);
+  }
+
+  #writeExact(out, contacts, stored) {
+    out.varint(contacts.length);
+    for (const { status, stored: isStored } of contacts) out.byte(status + (isStored ? 64 : 0));
+    let last = 0;
+    for (const { first } of contacts) {
+      out.signed(first - last);
+      last = first;
+    }
+    for (const { second } of contacts) out.varint(second);
+    for (let k = 0; k < 3; ++k) {
+      for (const { p, first } of contacts) out.signed(Math.round((Math.round(p[k] / stored[first].unit) - stored[first].now[k]) / 4));
+    }
+    for (let k = 0; k < 3; ++k) for (const { n } of contacts) out.byte(Math.round(127 * n[k]));
+    for (const { force } of contacts) for (const f of force) out.float32(f);
+  }
+
+  #writePairs(out, contacts, bodies, stored, isKey) {
+    const key = ({ first, second }) => `${bodies[first].id} ${bodies[second].id}`, now = new Map(contacts.map((c) => [key(c), c]));
+    const there = new Set(bodies.map(({ id }) => String(id))), kept = [];
+    for (const [name, numbers] of isKey ? [] : this.#pairs) {
+      if (!name.split(' ').every((id) => there.has(id))) continue;
+      out.byte(now.has(name) ? 0 : 1);
+      if (now.has(name)) kept.push([name, numbers]);
+    }
+    const old = new Map(kept), added = contacts.filter((c) => !old.has(key(c)));
+    out.varint(added.length);
+    let last = 0;
+    for (const { first } of added) {
+      out.signed(first - last);
+      last = first;
+    }
+    for (const { second } of added) out.varint(second);
+    const list = [...kept.map(([name]) => now.get(name)), ...added];
+    for (const { status } of list) out.byte(status);
+    this.#pairs = list.map((c) => [key(c), numbersOf(c, bodies[c.first], stored[c.first].unit)]);
+    for (let k = 0; k < 8; ++k) {
+      for (const [name, numbers] of this.#pairs) {
+        const difference = numbers[k] - (old.get(name)?.[k] ?? 0);
+        out.signed(k === 0 || k === 7 ? wrapped(difference) : difference);
+      }
+    }
+  }
+}
+
+function numbersOf({ p, n, force }, { p: place, q }, unit) {
+  const point = inBody(q, p.map((x, k) => x - place[k])).map((x) => Math.round(x / (128 * unit)));
+  const normal = angles(inBody(q, n)), pull = angles(inBody(q, force)), size = Math.max(Math.hypot(...force), LEAST_FORCE);
+  return [...normal, pull[1] - normal[1], ...point, Math.round(FORCE_STEPS * Math.log10(size)), wrapped(pull[0] - normal[0])];
+}
