@@ -11,6 +11,7 @@
 #include "core/sim/step/step_book.h"
 #include "core/sim/step/take_step.h"
 #include "core/sim/world/course.h"
+#include "core/sim/world/drawn_rods.h"
 
 namespace nilas::sim {
 
@@ -60,7 +61,7 @@ std::vector<std::pair<std::string, std::vector<bodies::RunFigure>>> Simulation::
   return all;
 }
 std::vector<bodies::DrawnLine> Simulation::drawn() const {
-  std::vector<bodies::DrawnLine> all;
+  std::vector<bodies::DrawnLine> all = drawn_rods(world_->parts);
   for (const auto& module : world_->parts.modules)
     for (auto& line : module->drawn(world_->parts.bodies)) all.push_back(std::move(line));
   return all;

@@ -220,7 +220,8 @@ class Run {
       output::clear_after(folder_.path());
     }
     folder_.open(scene_, simulation.info(), warnings_);
-    folder_.start(scene_.time.start, simulation.initial_ledger(), simulation.bodies());
+    folder_.start(scene_.time.start, simulation.initial_ledger(), simulation.bodies(),
+                  [&] { return simulation.drawn(); });
   }
 
   void go_on(sim::Simulation& simulation, output::Console& console) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/output/replay/replay_file.h"
@@ -136,6 +137,7 @@ struct RunFolder::Outputs {
   double t_start = 0;
   long snapshots = 0;
   std::vector<double> vessel_values;
+  double output_ms_before = 0;  ///< time that the outputs of the step before took [ms]
 };
 
 RunFolder::RunFolder(const std::filesystem::path& path, bool force, const std::vector<scene::InputFile>& inputs)
@@ -173,7 +175,12 @@ void RunFolder::write_checkpoint(const sim::CheckpointOrigin& origin, State stat
   outputs_->problems.saved();
 }
 
-void RunFolder::start(double t, const sim::Ledger& ledger, const bodies::Bodies& bodies) {
+/// What the modules draw now.
+static std::vector<bodies::DrawnLine> drawn(const DrawnLines& lines) {
+  return lines ? lines() : std::vector<bodies::DrawnLine>();
+}
+
+void RunFolder::start(double t, const sim::Ledger& ledger, const bodies::Bodies& bodies, const DrawnLines& lines) {
   NILAS_DEMAND(outputs_ != nullptr);
   Outputs& out = *outputs_;
   out.t_start = t;
@@ -182,7 +189,8 @@ void RunFolder::start(double t, const sim::Ledger& ledger, const bodies::Bodies&
   if (!out.snapshot_due(t, 0)) return;
   write_snapshot(t, 0, bodies, {});
   if (out.replay)
-    out.replay->frame({.t = t, .h = 0, .step = 0, .bodies = bodies, .substeps = {}, .damage = {}, .lines = {}});
+    out.replay->frame(
+        {.t = t, .h = 0, .step = 0, .bodies = bodies, .substeps = {}, .damage = {}, .lines = drawn(lines)});
 }
 
 void RunFolder::record(sim::StepRecord record, const std::vector<contact::SolvedProblem>& parts,
@@ -203,7 +211,13 @@ void RunFolder::record(sim::StepRecord record, const std::vector<contact::Solved
   if (out.structures) out.structures->row(record);
   if (out.contacts) out.contacts->step(record, parts, loaded_bodies(bodies, out.info));
   if (out.events) out.events->rows(record.broken);
-  if (out.replay) out.replay->note(record, out.vessel_values);
+  double& output_ms = record.ms[static_cast<std::size_t>(sim::Phase::output)];
+  if (out.replay) {
+    // The time of this step's outputs is known once they are written, so viewers see that of the step before.
+    const double own = std::exchange(output_ms, out.output_ms_before);
+    out.replay->note(record, out.vessel_values);
+    output_ms = own;
+  }
   if (out.snapshot_due(record.t, record.h)) {
     write_snapshot(record.t, record.step, bodies, {out.shown_contacts(parts, bodies), record.h, damage});
     if (out.replay)
@@ -213,10 +227,10 @@ void RunFolder::record(sim::StepRecord record, const std::vector<contact::Solved
                          .bodies = bodies,
                          .substeps = parts,
                          .damage = damage,
-                         .lines = lines ? lines() : std::vector<bodies::DrawnLine>()});
+                         .lines = drawn(lines)});
   }
-  record.ms[static_cast<std::size_t>(sim::Phase::output)] +=
-      std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
+  output_ms += std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
+  out.output_ms_before = output_ms;
   out.steps.row(record);
   out.statistics.add(record, out.vessel_values);
 }

@@ -53,8 +53,8 @@ class RunFolder {
   /// Copies the scene's input files, writes scene.xml and opens the outputs that the scene asks for. `warnings` must
   /// outlive the folder. Throws FileError, and InputError where an input file has changed since the scene was read.
   void open(const scene::Scene& scene, const sim::RunInfo& info, WarningCounts& warnings);
-  /// Writes the state at time t [s] before the first step. Throws FileError.
-  void start(double t, const sim::Ledger& ledger, const bodies::Bodies& bodies);
+  /// Writes the state at time t [s] before the first step. `lines`: as in record(). Throws FileError.
+  void start(double t, const sim::Ledger& ledger, const bodies::Bodies& bodies, const DrawnLines& lines = {});
   /// Replaces open() and start() for a continued run. Continues the outputs from the time when `in` was written to
   /// checkpoint.h5; rows and frames of later steps are removed. Throws FileError, and InputError where an output is too
   /// short.

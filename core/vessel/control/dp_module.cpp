@@ -29,6 +29,28 @@ struct DpChannels {
   int thrust, angle, actual_thrust, actual_angle, works;
 };
 
+/// Path, watch circle and set-point at time t, at a height.
+std::vector<bodies::DrawnLine> drawn_plan(const DpSettings& settings, double t, double height) {
+  constexpr int k_sides = 36;
+  std::vector<bodies::DrawnLine> lines;
+  const auto add = [&](const char* name, const std::vector<Vec2>& points) {
+    lines.push_back({bodies::DrawnLine::Kind::path, name, 0, {}});
+    for (const Vec2& x : points) lines.back().points.emplace_back(x.x(), x.y(), height);
+  };
+  const Vec2 target = settings.plan.at(t).position.head<2>();
+  if (const std::vector<Vec2> way = settings.plan.way(); way.size() > 1) add("path", way);
+  if (settings.watch_circle) {
+    std::vector<Vec2> circle;
+    for (int k = 0; k <= k_sides; ++k) {
+      const double angle = 2 * k_pi * k / k_sides;
+      circle.push_back(target + *settings.watch_circle * Vec2(std::cos(angle), std::sin(angle)));
+    }
+    add("watch circle", circle);
+  }
+  add("set-point", {target});
+  return lines;
+}
+
 class Dp : public bodies::Module {
  public:
   Dp(const DpSettings& settings, Allocation allocation, std::shared_ptr<Channels> channels)
@@ -40,7 +62,8 @@ class Dp : public bodies::Module {
         reference_(settings.filter_bandwidth, settings.position),
         controller_(settings.controller),
         statistics_(settings.window[0], settings.window[1], settings.watch_circle),
-        position_(settings.position) {
+        position_(settings.position),
+        now_(settings.start) {
     for (const Thruster& thruster : allocation_.thrusters()) {
       indices_.push_back({channels_->find(thrust_channel(thruster)), channels_->find(angle_channel(thruster)),
                           channels_->find(actual_thrust_channel(thruster)),
@@ -55,6 +78,7 @@ class Dp : public bodies::Module {
   std::string name() const override { return "control"; }
 
   void end_substep(const bodies::Bodies& bodies, double t, double h) override {
+    now_ = t;
     follow_truth(plane_position(bodies, settings_.hull));
     sensors_.note(t, position_);
     judge(t);
@@ -81,6 +105,9 @@ class Dp : public bodies::Module {
                    shortfall_.head<2>().norm(), std::abs(shortfall_.z()), statistics_.outside() ? 1.0 : 0.0});
   }
   std::optional<double> total(std::string_view name) const override { return statistics_.total(name); }
+  std::vector<bodies::DrawnLine> drawn(const bodies::Bodies& bodies) const override {
+    return drawn_plan(settings_, now_, bodies.p_GB[settings_.hull].z());
+  }
   std::vector<bodies::RunFigure> figures() const override {
     std::vector<bodies::RunFigure> all = statistics_.figures();
     const std::string swinging = loss_.swinging();
@@ -182,6 +209,7 @@ class Dp : public bodies::Module {
   LossOfStation loss_;
   double most_thrust_ = 0;                               ///< sum of all limits [N]
   Vec3 position_;                                        ///< true position, heading continuous
+  double now_;                                           ///< time at the end of the last substep [s]
   Vec3 acting_ = Vec3::Zero(), impulse_ = Vec3::Zero();  ///< load of the thrusters; its integral since the last sample
   double elapsed_ = 0;                                   ///< time since the last sample [s]
   long due_ = 1;                                         ///< the period at whose end the next sample is taken

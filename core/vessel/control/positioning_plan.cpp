@@ -39,4 +39,13 @@ PositioningPlan::Target PositioningPlan::at(double t) const {
   return {position_[i - 1] + (t - t_[i - 1]) * rate, rate};
 }
 
+std::vector<Vec2> PositioningPlan::way() const {
+  constexpr std::size_t k_most = 100;
+  const std::size_t stride = 1 + (position_.size() - 1) / k_most;
+  std::vector<Vec2> points;
+  for (std::size_t k = 0; k < position_.size(); k += stride) points.emplace_back(position_[k].head<2>());
+  if (points.size() > 1) points.back() = position_.back().head<2>();
+  return points;
+}
+
 }  // namespace nilas::vessel

@@ -21,6 +21,8 @@ class PositioningPlan {
   /// times do not rise.
   static PositioningPlan path(const std::string& csv_file, double heading_now, double scale = 1);
   Target at(double t) const;
+  /// Its way as a line, thinned to about 100 points; one point for a set-point [m].
+  std::vector<Vec2> way() const;
 
  private:
   std::vector<double> t_;
