@@ -6,8 +6,9 @@
 # `symmetry` runs them with several solvers and tells how far their two sides differ, and how fast that grows.
 # `level-ice TABLE` tows through ice that breaks, over thicknesses and speeds, steps, hull meshes, and in broken ice.
 # `hull` prepares five hulls from users' files, stage by stage, and fails where one takes too long or is worse than recorded.
+# `replay` measures the replay of towing runs: its size, what it costs the run, and how fast its page is.
 # `cut` makes random cuts of floes, ordinary and adversarial, and shows what each kind keeps and costs.
-# usage: tests/bench/run.sh [packed|exact|solvers|scaling|threads|collision|field|presawn|symmetry|level-ice|load-coverage|hull|cut|kernels|help]      (through ./dev bench)
+# usage: tests/bench/run.sh [packed|exact|solvers|scaling|threads|collision|field|presawn|symmetry|level-ice|load-coverage|hull|cut|replay|kernels|help]      (through ./dev bench)
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 bin=build/bench
@@ -100,9 +101,10 @@ case "${1:-packed}" in
   presawn) "$bin/bench_presawn" "${TWINS:-7}" "${THREADS:-2}" ;;
   symmetry) shift; "$bin/bench_presawn_symmetry" "${END:-10}" "$@" ;;
   hull) shift; "$bin/bench_hull" "$bin/hull" "${THREADS:-$(nproc)}" "$@" ;;
+  replay) shift; tests/bench/replay/measure.sh "$bin/bench_replay_cost" "$bin/apps/view_page" "$bin/replay" "$@" ;;
   cut) "$bin/bench_cut_study" "${CUTS:-100000}" ;;
   kernels) shift; "$bin/bench_kernels" "$@" ;;
-  *) echo "usage: ./dev bench [packed|exact|solvers|scaling|threads|collision [TABLE]|field|presawn|symmetry|level-ice [TABLE]|load-coverage|hull [SHAPE ...]|cut|kernels]
+  *) echo "usage: ./dev bench [packed|exact|solvers|scaling|threads|collision [TABLE]|field|presawn|symmetry|level-ice [TABLE]|load-coverage|hull [SHAPE ...]|cut|replay [SIZE ...]|kernels]
 collision: classes (against the oracle, BATCHES=100 of 1000 pairs in each class, CLASS=name for one), peers (beside FCL and
 Bullet, PAIRS=1000 of each class), steps (a field that moves, SIZES, STEPS=100), threads, swept (missed and false first
 contacts of PAIRS=100000 random pairs on their way), plates (PAIRS=100000 thin plates that fly at others, alone and in crowds),
@@ -112,7 +114,7 @@ runs of each scene (7), with pieces moved by up to a micrometre; symmetry: END=s
 auto=1e-8 in place of the five shown; level-ice: loads (thicknesses and speeds, beside Lindqvist, with a picture),
 steps, meshes, field (broken ice that may and may not break), TWINS=n (2); load-coverage: whether what single runs say of their mean
 load holds in level ice, RUNS=10 of each setting until UNTIL=4.6 s; hull: wedge, cone, moon-pool, semi-submersible, ship-with-bulb,
-on THREADS (all cores), ends with 1 where 18 000 triangles take over 60 s or parts stand further off than recorded; cut: CUTS=100000 random cuts of floes;
+on THREADS (all cores), ends with 1 where 18 000 triangles take over 60 s or parts stand further off than recorded; cut: CUTS=100000 random cuts of floes; replay: sizes 100, 1000 and 10000 floes, in Chromium;
 ROUNDS=n: how often packed (3), threads and collision peers (5) are measured; THREADS=n;
 LIMIT=s: seconds that a solver has for a problem (solvers 5, scaling 60) or a scene (exact 600, MuJoCo in it 300);
 PYTHON=python3: one with the packages mujoco and numpy adds MuJoCo to exact; NILAS_FCLIB_DIR: a folder of further problems for solvers" ;;

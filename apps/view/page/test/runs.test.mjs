@@ -1,0 +1,115 @@
+/** The page of runs of the program, which the environment variable NILAS names: level ice that breaks, and a moored ship in waves. */
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { after, before, test } from 'node:test';
+import { openPage, startBrowser, whyNoBrowser } from './browser.mjs';
+import { floeOnScreen, turnSwitches } from './visit.mjs';
+
+const missing = await whyNoBrowser() ?? (process.env.NILAS ? null : 'NILAS does not name the program.');
+if (missing && process.env.NILAS && process.env.NILAS_PAGE_TESTS_MAY_SKIP !== '1') throw new Error(missing);
+
+const CONTACT = `<contact law="coulomb" solver="nsgs" tolerance="1e-3" max_iterations="200" on_failure="record">
+    <friction between="hull ice" static="0.1" kinetic="0.1"/><friction between="ice ice" static="0.3" kinetic="0.3"/>
+  </contact>`;
+const HULL = '<hull generate="icebreaker" length="3" beam="0.8" draught="0.2" depth="0.4" triangles="300"/>';
+
+const LEVEL_ICE = `<scene version="1" name="level">
+  <time step="0.01" end="2"/>${CONTACT}
+  <water density="1005"/><hydro><buoyancy/><drag form="1" skin="0.005"/></hydro>
+  <vessel name="ship" position="0 0">${HULL}<mass draught="0.2"/><carriage speed="0.5" ramp="0.05"/></vessel>
+  <ice density="920" youngs_modulus="6e7" poisson="0.3" thickness="0.02">
+    <field kind="level" region="2.9 -1.5 6 1.5" fixed="true" breakable="true"/>
+  </ice>
+  <fracture flexural_strength="4e4" compressive_strength="1e5" fracture_toughness="3e3" min_area="2e-3" max_aspect="8">
+    <crushing model="explicit" between_floes="true"/><bending model="nevel"/>
+  </fracture>
+  <output trajectory_every="0.1"/>
+</scene>`;
+
+const line = (name, x, y) => `<line name="${name}" fairlead="${1.5 + 0.4 * Math.sign(x)} ${0.3 * Math.sign(y)} 0.3"
+  anchor="${1.5 + x} ${y} -4" length="13" weight="3" stiffness="2e4" damping="10"/>`;
+const MOORED = `<scene version="1" name="moored">
+  <time step="0.01" end="2"/>${CONTACT}
+  <water density="1005"><current velocity="-0.8 0 0"/><waves kind="regular" height="0.03" period="1.5" heading_deg="180"
+    ramp="0.5" attenuation="exponential" attenuation_rate="0.3" ice_edge="4 0"/></water>
+  <hydro><buoyancy/><drag form="1" skin="0.005"/><wave_loads/></hydro>
+  <vessel name="ship" position="0 0">${HULL}<mass draught="0.2"/>
+    <mooring depth="4" start="as-placed">${[['a', 12, 3], ['b', 12, -3], ['c', -12, 3], ['d', -12, -3]].map((l) => line(...l)).join('')}</mooring>
+  </vessel>
+  <ice thickness="0.05">
+    <floe name="port" outline="2.9 0.02 3.4 0.02 3.4 0.5 2.9 0.5" velocity="-0.3 0 0"/>
+    <floe name="starboard" outline="2.95 -0.6 3.4 -0.6 3.4 -0.02 2.95 -0.02" velocity="-0.3 0 0"/>
+  </ice>
+  <output trajectory_every="0.1"/>
+</scene>`;
+
+let folder, browser;
+before(async () => {
+  if (missing) return;
+  folder = mkdtempSync(join(tmpdir(), 'nilas-runs-'));
+  browser = await startBrowser();
+});
+after(async () => {
+  await browser?.close();
+  if (folder) rmSync(folder, { recursive: true });
+});
+
+/** Runs a scene. Returns the address of its page. */
+function pageOf(name, scene) {
+  writeFileSync(join(folder, `${name}.xml`), scene);
+  const nilas = (...words) => execFileSync(process.env.NILAS, words, { cwd: folder, stdio: ['ignore', 'pipe', 'inherit'] });
+  nilas('run', `${name}.xml`, '--quiet', '--out', name);
+  nilas('view', name);
+  return `file://${join(folder, name, 'replay.html')}`;
+}
+
+const frame = (page) => page.evaluate(() => window.nilas.frame);
+
+/** Moves the time, turns the switches, picks a floe, and looks at it on a phone. */
+async function visit(address, { silent }) {
+  const { page, faults, requests } = await openPage(browser, address, { width: 640, height: 480 });
+  await page.keyboard.press('End');
+  await page.waitForFunction(() => window.nilas.frame === window.nilas.frameCount - 1);
+  await page.keyboard.press('ArrowLeft');
+  await page.evaluate(() => window.nilas.seek(1.23));
+  assert.equal(await frame(page), 12);
+  for (const [name, changes] of Object.entries(await turnSwitches(page))) {
+    if (!silent.includes(name)) assert.ok(changes.some(Boolean), `"${name}" changes nothing`);
+  }
+  await page.evaluate(() => {
+    for (const name of ['graphs', 'panel']) window.nilas.set(name, false);
+    window.nilas.set('view', 'top');
+  });
+  const floe = await floeOnScreen(page, 2);
+  assert.ok(floe, 'no floe is on the screen');
+  await page.mouse.click(floe.x, floe.y);
+  await page.waitForFunction(() => !document.getElementById('card').hidden);
+  assert.match(await page.$eval('#card', (card) => card.textContent), /Mass.*Speed/);
+  const state = await page.evaluate(() => ({ ...window.nilas.state(), notices: window.nilas.notices }));
+  assert.equal(state.picked, floe.id);
+  assert.deepEqual(state.notices, []);
+  await page.setViewport({ width: 375, height: 720, isMobile: true, hasTouch: true });
+  assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 375);
+  assert.deepEqual(faults, []);
+  assert.deepEqual(requests, []);
+  await page.close();
+  return state;
+}
+
+const check = (name, body) => test(name, { skip: missing ?? false, timeout: 300000 }, body);
+
+check('a run in level ice is shown, with the pieces that break off', async () => {
+  const state = await visit(pageOf('level', LEVEL_ICE), { silent: ['follow', 'tank', 'lines', 'damage'] });
+  assert.ok(state.bodiesInFrame > 4, `${state.bodiesInFrame} bodies`);
+  assert.ok(state.arrows.length > 0);
+});
+
+check('a moored ship in waves is shown with its lines, and with the waves on the water', async () => {
+  const state = await visit(pageOf('moored', MOORED), { silent: ['follow', 'tank'] });
+  assert.equal(state.lines, 4);
+  assert.equal(state.waves, 1);
+  assert.equal(state.bodies, 3);
+});
