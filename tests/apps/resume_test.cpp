@@ -3,12 +3,15 @@
 #include <signal.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <random>
 #include <regex>
 #include <set>
 #include <thread>
+#include <tuple>
 
 #include "core/hdf5/hdf5_file.h"
 #include "tests/core/output/replay/replay_reader.h"
@@ -80,6 +83,19 @@ void expect_same_contacts(const fs::path& one, const fs::path& other) {
   EXPECT_EQ(a.wide_integers("steps"), b.wide_integers("steps"));
 }
 
+/// The order of pairs in a frame depends on when they came together since the last key frame.
+std::vector<nilas::test::ReplayContact> in_order(std::vector<nilas::test::ReplayContact> contacts) {
+  std::stable_sort(contacts.begin(), contacts.end(), [](const auto& a, const auto& b) {
+    return std::tuple(!a.exact, a.first, a.second) < std::tuple(!b.exact, b.first, b.second);
+  });
+  return contacts;
+}
+
+/// Before the first step channels are not a number.
+bool same_channel(const std::array<float, 3>& a, const std::array<float, 3>& b) {
+  return a == b || (std::isnan(a[0]) && std::isnan(b[0]));
+}
+
 /// Frames apart from the times that phases took. Where key frames lie depends on where the run was stopped.
 void expect_same_replay(const fs::path& one, const fs::path& other) {
   const nilas::test::Replay a(read_text(one)), b(read_text(other));
@@ -91,11 +107,12 @@ void expect_same_replay(const fs::path& one, const fs::path& other) {
     EXPECT_EQ(x.t, y.t);
     ASSERT_EQ(x.bodies.size(), y.bodies.size());
     for (std::size_t i = 0; i < x.bodies.size(); ++i) EXPECT_EQ(x.bodies[i].now, y.bodies[i].now);
-    ASSERT_EQ(x.contacts.size(), y.contacts.size());
-    for (std::size_t i = 0; i < x.contacts.size(); ++i) EXPECT_EQ(x.contacts[i].force, y.contacts[i].force);
+    const auto p = in_order(x.contacts), q = in_order(y.contacts);
+    ASSERT_EQ(p.size(), q.size());
+    for (std::size_t i = 0; i < p.size(); ++i) EXPECT_EQ(p[i].force, q[i].force);
     for (std::size_t i = 0; i < x.channels.size(); ++i) {
       if (a.head.at("channels")[i].at("group") != "time") {
-        EXPECT_EQ(x.channels[i], y.channels[i]) << a.head.at("channels")[i];
+        EXPECT_TRUE(same_channel(x.channels[i], y.channels[i])) << a.head.at("channels")[i];
       }
     }
   }

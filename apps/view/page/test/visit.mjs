@@ -24,8 +24,20 @@ export function turnSwitches(page) {
   });
 }
 
-/** A floe that is seen on the screen, and where: {id, x, y}; null for none. Floes have identities from `least` on. */
-export function floeOnScreen(page, least) {
+/**
+ * A floe that is seen on the screen, and where: {id, x, y}; null for none. Floes have identities from `least` on. On a busy
+ * machine the parts of the page move with a delay, so it is sought again for some seconds.
+ */
+export async function floeOnScreen(page, least) {
+  for (let left = 20; left > 0; --left) {
+    const found = await seekFloe(page, least);
+    if (found) return found;
+    await new Promise((resolve) => setTimeout(resolve, 200));
+  }
+  return null;
+}
+
+function seekFloe(page, least) {
   return page.evaluate((leastId) => {
     const box = document.querySelector('canvas').getBoundingClientRect();
     for (let y = box.top + 30; y < box.bottom - 30; y += 9) {

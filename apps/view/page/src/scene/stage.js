@@ -78,6 +78,8 @@ export class Stage {
   rayAt(clientX, clientY) {
     const box = this.canvas.getBoundingClientRect();
     const place = new THREE.Vector2(2 * (clientX - box.left) / box.width - 1, 1 - 2 * (clientY - box.top) / box.height);
+    // The camera may have moved since the last picture.
+    this.camera.fit();
     const caster = new THREE.Raycaster();
     caster.setFromCamera(place, this.camera.camera);
     return caster.ray;
