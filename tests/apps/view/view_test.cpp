@@ -19,6 +19,7 @@
 namespace view_test {
 
 using namespace nilas_test;
+using nilas::Vec3;
 using nilas::test::mentions;
 using nilas::test::Replay;
 
@@ -142,6 +143,27 @@ TEST_F(View, AKilledRunIsShownUpToItsLastWholeFrame) {
   EXPECT_TRUE(mentions(result.out, "does not say how the run ended") || mentions(result.out, "incomplete"))
       << result.out;
   EXPECT_GT(Replay(read_text(in("killed/replay.bin"))).frames.size(), 20u);
+}
+
+TEST_F(View, RodsAreDrawnWithTheirTension) {
+  std::string scene = k_ship;
+  const std::string carriage = "<carriage speed=\"0.5\" ramp=\"0.05\"/>";
+  scene.replace(scene.find(carriage), carriage.size(), "<rod name=\"bow\" at=\"2.5 0 0.3\" to=\"2.5 4 0.3\"/>");
+  folder.write("rods.xml", scene);
+  ASSERT_EQ(nilas("run rods.xml --quiet --out rods --until 0.2").exit_code, 0);
+  const Replay replay(read_text(in("rods/replay.bin")));
+  ASSERT_EQ(replay.frames.size(), 3u);
+  for (const auto& frame : replay.frames) {
+    ASSERT_EQ(frame.lines.size(), 1u);
+    EXPECT_EQ(frame.lines[0].kind, 1);
+    EXPECT_EQ(frame.lines[0].name, "bow");
+    ASSERT_EQ(frame.lines[0].points.size(), 2u);
+    EXPECT_EQ(frame.lines[0].points[1], Vec3(2.5, 4, static_cast<double>(0.3f)));
+    const double length = (frame.lines[0].points[0] - frame.lines[0].points[1]).norm();
+    EXPECT_NEAR(length, (Vec3(2.5, 0, 0.1) - Vec3(2.5, 4, 0.3)).norm(), 1e-5) << "a rod keeps its length";
+  }
+  EXPECT_EQ(replay.frames[0].lines[0].force, 0);
+  EXPECT_NE(replay.frames[2].lines[0].force, 0);
 }
 
 TEST_F(View, WavesAreInTheReplay) {

@@ -15,10 +15,10 @@ export class LineLayer {
   get objects() { return [this.rods.object, this.arrows.object, this.dots.object]; }
   get layers() { return [this.rods, this.arrows, this.dots]; }
 
-  /** @param {import('../data/frame.js').Line[]} lines */
-  update(lines, { length, metresPerNewton }, isShown) {
+  /** Paths are drawn on still water, where it has a `level` [m]. @param {import('../data/frame.js').Line[]} lines */
+  update(lines, { length, metresPerNewton }, isShown, level) {
     for (const layer of this.layers) layer.clear();
-    if (isShown) for (const line of lines) this.#add(line, length, metresPerNewton);
+    if (isShown) for (const line of lines) this.#add(onWater(line, level, length), length, metresPerNewton);
     for (const layer of this.layers) layer.done();
   }
 
@@ -41,4 +41,10 @@ export class LineLayer {
     this.arrows.add(points[0], points[1], points[2], points[0] + size * along[0], points[1] + size * along[1],
                     points[2] + size * along[2], width, colour);
   }
+}
+
+/** A path, which is given at the height of the vessel, just above the water; other lines as they are. */
+function onWater(line, level, length) {
+  if (line.kind !== LineKind.path || !Number.isFinite(level)) return line;
+  return { ...line, points: line.points.map((x, k) => k % 3 === 2 ? level + 0.002 * length : x) };
 }

@@ -118,7 +118,7 @@ export class World {
     this.metresPerNewton = scale.metresPerNewton;
     const shown = Object.fromEntries(['contacts', 'normals', 'arrows', 'chains', 'crushed'].map((name) => [name, options.get(name)]));
     this.contacts.update(frame, this.poses, scale, shown);
-    this.lines.update(frame.lines, scale, options.get('lines'));
+    this.lines.update(frame.lines, scale, options.get('lines'), this.recording.head.water_level);
   }
 
   /** Takes over all options that change what is drawn. */
