@@ -2,10 +2,10 @@
 
 #include <tinyxml2.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <limits>
 #include <string>
 
 #include "core/base/error.h"
@@ -45,56 +45,64 @@ std::vector<Number> values_of(const Element* parent, const char* name, const cha
   return values;
 }
 
-/// The upper faces in G [m]. The upper face is the second polygon of each floe.
-std::vector<std::vector<Vec3>> upper_faces(const Element* piece) {
+/// Adds the upper faces in G [m] and their floes to a frame. The upper face is the second polygon of each floe.
+void add_upper_faces(const Element* piece, IceFrame& frame) {
   const auto points = values_of<float>(child_at(piece, {"Points"}), "Points", "Float32");
   const Element* polygons = child_at(piece, {"Polys"});
   const auto corners = values_of<std::int32_t>(polygons, "connectivity", "Int32");
   const auto ends = values_of<std::int32_t>(polygons, "offsets", "Int32");
   const auto ids = values_of<std::int64_t>(child_at(piece, {"CellData"}), "id", "Int64");
   if (ids.size() != ends.size()) throw InputError("the file does not have one id per polygon");
-  std::vector<std::vector<Vec3>> faces;
   std::int64_t count = 0;
   for (std::size_t k = 0; k < ids.size(); ++k) {
     count = k > 0 && ids[k] == ids[k - 1] ? count + 1 : 1;
     if (count != 2) continue;
-    std::vector<Vec3>& face = faces.emplace_back();
+    frame.ids.push_back(ids[k]);
+    std::vector<Vec3>& face = frame.outlines.emplace_back();
     for (auto c = static_cast<std::size_t>(ends[k - 1]); c < static_cast<std::size_t>(ends[k]); ++c) {
       const std::size_t p = 3 * static_cast<std::size_t>(corners.at(c));
       face.emplace_back(points.at(p), points.at(p + 1), points.at(p + 2));
     }
   }
-  return faces;
 }
 
 }  // namespace
 
-std::optional<IceFrame> ice_near(const std::filesystem::path& run_folder, double t) {
+std::vector<IceFrameFile> ice_frame_files(const std::filesystem::path& run_folder) {
   const auto list = run_folder / "trajectory.pvd";
-  if (!std::filesystem::exists(list)) return std::nullopt;
+  if (!std::filesystem::exists(list)) return {};
   tinyxml2::XMLDocument document;
   load(list, document);
-  std::string file;
-  double best = std::numeric_limits<double>::infinity();
-  IceFrame frame;
+  std::vector<IceFrameFile> frames;
   const Element* set = child_at(document.RootElement(), {"Collection", "DataSet"});
-  for (; set != nullptr; set = set->NextSiblingElement("DataSet")) {
-    const double at = set->DoubleAttribute("timestep");
-    if (!set->Attribute("name", "ice floes") || std::abs(at - t) >= best) continue;
-    best = std::abs(at - t);
-    frame.t = at;
-    file = set->Attribute("file") == nullptr ? "" : set->Attribute("file");
-  }
-  if (file.empty()) return std::nullopt;
-  load(run_folder / file, document);
+  for (; set != nullptr; set = set->NextSiblingElement("DataSet"))
+    if (set->Attribute("name", "ice floes") && set->Attribute("file") != nullptr)
+      frames.push_back({set->DoubleAttribute("timestep"), run_folder / set->Attribute("file")});
+  return frames;
+}
+
+IceFrame read_ice_frame(const IceFrameFile& frame) {
+  tinyxml2::XMLDocument document;
+  load(frame.file, document);
+  IceFrame ice;
+  ice.t = frame.t;
   try {
-    frame.outlines = upper_faces(child_at(document.RootElement(), {"PolyData", "Piece"}));
+    add_upper_faces(child_at(document.RootElement(), {"PolyData", "Piece"}), ice);
+    return ice;
   } catch (const InputError& error) {
-    throw InputError((run_folder / file).string() + ": " + error.what());
+    throw InputError(frame.file.string() + ": " + error.what());
   } catch (const std::out_of_range&) {
-    throw InputError((run_folder / file).string() + ": a polygon has a corner that is no point");
+    throw InputError(frame.file.string() + ": a polygon has a corner that is no point");
   }
-  return frame;
+}
+
+std::optional<IceFrame> ice_near(const std::filesystem::path& run_folder, double t) {
+  const auto frames = ice_frame_files(run_folder);
+  const auto nearest = std::min_element(frames.begin(), frames.end(), [&](const auto& a, const auto& b) {
+    return std::abs(a.t - t) < std::abs(b.t - t);
+  });
+  if (nearest == frames.end()) return std::nullopt;
+  return read_ice_frame(*nearest);
 }
 
 }  // namespace nilas::report
