@@ -37,7 +37,7 @@ READING_ORDER = {
               "contact-forces", "compare-settings", "check-the-program", "one-contact-problem", "compare-solvers"],
     "reference": ["scene", "outputs", "command-line", "conventions", "scales"],
     "theory": ["contact", "dynamics", "vessel", "hull", "water", "ice-field", "fracture", "fracture-crushing",
-               "fracture-breaking", "fracture-cutting", "load-error", "compare"],
+               "fracture-breaking", "fracture-cutting", "load-error", "report", "compare"],
     "evidence": ["verification", "validation", "validation-scenes", "validation-symmetry", "validation-breaking",
                  "validation-contacts", "validation-solvers", "validation-loads", "limits", "limitations"],
     "develop": ["architecture", "contributing"],

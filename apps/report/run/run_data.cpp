@@ -1,0 +1,120 @@
+#include "apps/report/run/run_data.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/base/error.h"
+#include "core/base/file_bytes.h"
+#include "core/output/run/run_folder.h"
+#include "core/scene/read/read_scene.h"
+
+namespace nilas::report {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string folder_name(const fs::path& folder) {
+  const fs::path whole = fs::absolute(folder).lexically_normal();
+  return (whole.has_filename() ? whole.filename() : whole.parent_path().filename()).string();
+}
+
+void read_summary(RunData& run) {
+  const fs::path file = output::RunFolder::summary_file(run.folder);
+  if (!fs::exists(file)) {
+    run.gaps.push_back({"Figures of the whole run",
+                        "There is no summary.json, so the run was killed, still goes on, or was not copied whole. The "
+                        "loads are computed from the tables instead."});
+    return;
+  }
+  run.summary = nlohmann::ordered_json::parse(file_bytes(file), nullptr, false);
+  if (run.summary.is_object()) return;
+  run.summary = nullptr;
+  run.gaps.push_back(
+      {"Figures of the whole run", "summary.json is cut or damaged. The loads are computed from the tables instead."});
+}
+
+void read_table(RunData& run, const char* file, RunTable& table) {
+  if (fs::exists(run.folder / file))
+    run.attempt("The table " + std::string(file), [&] { table = RunTable(run.folder / file); });
+}
+
+/// Notes the tables that the scene asks for and the folder lacks.
+void note_missing(RunData& run) {
+  const auto demand = [&](const char* file, bool wanted) {
+    if (wanted && !fs::exists(run.folder / file))
+      run.gaps.push_back({"The table " + std::string(file),
+                          "The file is not in the folder, so what it holds is left out. Copy the whole folder."});
+  };
+  demand("steps.csv", true);
+  demand("vessel.csv", run.scene && run.scene->vessel.has_value());
+  demand("events.csv", run.scene && run.scene->fracture && run.scene->fracture->cuts_floes());
+}
+
+}  // namespace
+
+double RunData::step() const {
+  const auto& time = times();
+  if (time.empty()) return 0;
+  if (time.size() > 1) return (time.back() - time.front()) / static_cast<double>(time.size() - 1);
+  return scene ? scene->time.step : time.front();
+}
+
+double RunData::start() const {
+  if (scene) return scene->time.start;
+  return times().empty() ? 0 : times().front() - step();
+}
+
+const std::vector<double>& RunData::times() const {
+  static const std::vector<double> k_none;
+  const std::vector<double>* longest = &k_none;
+  for (const RunTable* table : std::array{&vessel, &structures, &steps})
+    if (table->rows() > longest->size()) longest = &table->time();
+  return *longest;
+}
+
+bool RunData::broke_before(double time) const {
+  return events.rows() > 0 && std::any_of(events.time().begin(), events.time().end(),
+                                          [&](double broke) { return broke - 0.5 * step() < time; });
+}
+
+bool RunData::attempt(const std::string& what, const std::function<void()>& work) {
+  try {
+    work();
+    return true;
+  } catch (const InputError& fault) {
+    gaps.push_back({what, std::string(fault.what()) + "."});
+  } catch (const FileError& fault) {
+    gaps.push_back({what, std::string(fault.what()) + "."});
+  } catch (const SceneError& fault) {
+    gaps.push_back({what, std::string(fault.what()) + "."});
+  } catch (const nlohmann::json::exception& fault) {
+    gaps.push_back({what, std::string("summary.json is of another version: ") + fault.what() + "."});
+  }
+  return false;
+}
+
+RunData read_run(const fs::path& folder) {
+  demand_there(folder, "run folder");
+  if (!is_folder(folder)) throw InputError(folder.string() + ": is a file; a report needs the folder of a run");
+  RunData run;
+  run.folder = folder;
+  run.name = folder_name(folder);
+  const fs::path scene_file = output::RunFolder::scene_file(folder);
+  if (!fs::exists(scene_file) && !fs::exists(folder / "steps.csv") && !fs::exists(folder / "vessel.csv"))
+    throw InputError(folder.string() + ": is no run folder, since it has neither scene.xml nor tables");
+  run.attempt("The scene", [&] { run.scene = scene::read_scene(scene_file); });
+  read_summary(run);
+  read_table(run, "vessel.csv", run.vessel);
+  read_table(run, "structures.csv", run.structures);
+  read_table(run, "steps.csv", run.steps);
+  read_table(run, "events.csv", run.events);
+  note_missing(run);
+  if (run.times().empty())
+    throw InputError(folder.string() +
+                     ": there is nothing to report, since no table of the folder holds a step. The run was killed "
+                     "before its first step ended, or its tables were not copied");
+  return run;
+}
+
+}  // namespace nilas::report
