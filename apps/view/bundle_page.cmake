@@ -1,10 +1,12 @@
-# Bundles the page of the viewer into one HTML text and the script of the page of comparisons, and writes both as a source file.
+# Bundles the pages of the viewer and of the report into one HTML text each, and the script of the page of comparisons,
+# and writes them as a source file.
 #   cmake -DSOURCE=<folder of the page> -DBUILD=<folder> -DTESTS=<with the packages of its tests> -DEMBED=<embed_templates.cmake> -P bundle_page.cmake
-# Where npm or its packages are missing, both are empty: the program then says that it has no viewer, and the page of a
-# comparison has pictures alone.
+# Where npm or its packages are missing, the texts are empty: the program then says that it has no viewer, and the page
+# of a comparison has pictures alone.
 set(page ${BUILD}/out/page.html)
+set(report ${BUILD}/out/report.html)
 file(MAKE_DIRECTORY ${BUILD})
-file(REMOVE ${page})
+file(REMOVE ${page} ${report})
 # The source folder stays as it is: packages and output go into the build folder.
 file(COPY ${SOURCE}/ DESTINATION ${BUILD} PATTERN node_modules EXCLUDE)
 find_program(NPM npm)
@@ -36,10 +38,11 @@ if(NOT EXISTS ${page})
   file(MAKE_DIRECTORY ${BUILD}/out)
   file(WRITE ${page} "")
   file(WRITE ${BUILD}/out/compare.js "")
+  file(WRITE ${report} "")
 endif()
 set(OUT ${BUILD}/page.cpp)
 set(NAMESPACE view)
 set(FUNCTION page_file)
 set(HEADER apps/view/page_template.h)
-set(FILES "${page}|${BUILD}/out/compare.js|${SOURCE}/theme.css")
+set(FILES "${page}|${report}|${BUILD}/out/compare.js|${SOURCE}/theme.css")
 include(${EMBED})

@@ -56,4 +56,14 @@ std::string replay_page(const std::string& title, std::string_view bytes) {
   return filled(title, {{"title", title}, {"live", false}}, blocks);
 }
 
+std::string report_page(const std::string& title, const std::string& body, const nlohmann::ordered_json& data) {
+  demand_page();
+  std::string page(page_file("report.html"));
+  // From the last place to the first: what stands in one may hold the name of another.
+  replace(page, "@NILAS_DATA@", for_script(data));
+  replace(page, "@NILAS_BODY@", body);
+  replace(page, "@NILAS_TITLE@", output::html_text(title));
+  return page;
+}
+
 }  // namespace nilas::view

@@ -1,6 +1,7 @@
 #pragma once
-/// The page of a replay or of a live view: one HTML file that needs nothing else.
+/// The pages of a replay, of a live view and of a report: each one HTML file that needs nothing else.
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 
@@ -14,5 +15,9 @@ std::string live_page(const std::string& title, const std::string& token);
 
 /// The page that holds a whole replay. `bytes`: those of replay.bin, complete or cut.
 std::string replay_page(const std::string& title, std::string_view bytes);
+
+/// The page of a report. `body`: its elements as HTML; `data`: what its script draws, as apps/view/page/src/report
+/// reads it.
+std::string report_page(const std::string& title, const std::string& body, const nlohmann::ordered_json& data);
 
 }  // namespace nilas::view

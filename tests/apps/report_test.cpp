@@ -147,7 +147,7 @@ TEST(Report, SaysWhatIsMissing) {
     EXPECT_NE(result.err.find(said), std::string::npos) << arguments << ": " << result.err;
   };
   refused("run --contacts 3", 2, "the run has 0 to 0.1 s");
-  refused("run", 2, "--contacts");
+  refused("run --window 0.1", 2, "--contacts");
   refused("run --contacts 0.05 --window=-1", 2, "--window");
   refused("none --contacts 0.05", 2, "<output contacts=\"hull\">");
   refused("box --contacts 0.05", 2, "neither a vessel nor a body");

@@ -1,10 +1,10 @@
 #!/usr/bin/env node
 /**
- * Writes the page as one file without data.
+ * Writes each page as one file without data.
  *
  * usage: node build.mjs OUT [MODULES]
  *
- * OUT: a folder; the page is OUT/page.html, and OUT/page-licences.txt has the licences of what it contains. OUT/compare.js
+ * OUT: a folder for the pages of PAGES and page-licences.txt, which has the licences of what they contain. OUT/compare.js
  * is the script of the page of a comparison, which contains no packages.
  * MODULES: the node_modules folder, if it is not beside this file.
  */
@@ -14,8 +14,13 @@ import { dirname, join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
 const here = dirname(fileURLToPath(import.meta.url));
-/** What the program that writes a page replaces. Each stands in the page once. */
-const PLACEHOLDERS = ['@NILAS_TITLE@', '@NILAS_FACTS@', '@NILAS_BLOCKS@'];
+/** The pages. `placeholders`: what the program that writes a page replaces; each stands in the page once. */
+const PAGES = [
+  { out: 'page.html', template: 'index.html', script: 'src/main.js', style: 'page.css',
+    placeholders: ['@NILAS_TITLE@', '@NILAS_FACTS@', '@NILAS_BLOCKS@'] },
+  { out: 'report.html', template: 'report.html', script: 'src/report/main.js', style: 'report.css',
+    placeholders: ['@NILAS_TITLE@', '@NILAS_BODY@', '@NILAS_DATA@'] },
+];
 
 function licences(modules) {
   return ['three', 'uplot'].map((name) => {
@@ -24,17 +29,18 @@ function licences(modules) {
   }).join('\n----\n\n');
 }
 
-/** The scripts of the two pages, and the style sheet of the first. */
-async function bundle(modules, licenceText) {
+/** The script and the style sheet of a page; no style sheet where none is given. */
+async function bundle({ script, style }, modules, licenceText) {
   const esbuild = createRequire(join(modules, 'x.js'))('esbuild');
+  const sheet = style ? { style: join(here, style) } : {};
   const result = await esbuild.build({
-    entryPoints: { main: join(here, 'src/main.js'), page: join(here, 'page.css'), compare: join(here, 'src/compare/main.js') },
-    bundle: true, format: 'iife', minify: true, write: false,
+    entryPoints: { script: join(here, script), ...sheet }, bundle: true, format: 'iife', minify: true, write: false,
     outdir: 'out', legalComments: 'inline', charset: 'utf8', target: ['chrome111', 'firefox113', 'safari16.4'], nodePaths: [modules],
     define: { LICENCES: JSON.stringify(licenceText) }, logLevel: 'warning',
   });
   const text = (name) => result.outputFiles.find((file) => file.path.endsWith(name)).text;
-  return { script: inPage(text('main.js')), style: `${text('main.css')}\n${text('page.css')}`, compare: inPage(text('compare.js')) };
+  const css = (name) => result.outputFiles.find((file) => file.path.endsWith(name))?.text ?? '';
+  return { script: inPage(text('script.js')), style: `${css('script.css')}\n${css('style.css')}` };
 }
 
 /** A script that stands within a page. */
@@ -52,16 +58,19 @@ async function main() {
   if (!out) throw new Error('usage: node build.mjs OUT [MODULES]');
   const modules = resolve(modulesArgument ?? join(here, 'node_modules'));
   const licenceText = licences(modules);
-  const { script, style, compare } = await bundle(modules, licenceText);
-  let page = readFileSync(join(here, 'index.html'), 'utf8');
-  page = fill(page, '@PAGE_STYLE@', style);
-  page = fill(page, '@PAGE_SCRIPT@', script);
-  for (const placeholder of PLACEHOLDERS) fill(page, placeholder, '');
   mkdirSync(out, { recursive: true });
-  writeFileSync(join(out, 'page.html'), page);
+  for (const entry of PAGES) {
+    const { script, style } = await bundle(entry, modules, licenceText);
+    let page = readFileSync(join(here, entry.template), 'utf8');
+    page = fill(page, '@PAGE_STYLE@', style);
+    page = fill(page, '@PAGE_SCRIPT@', script);
+    for (const placeholder of entry.placeholders) fill(page, placeholder, '');
+    writeFileSync(join(out, entry.out), page);
+    console.log(`${join(out, entry.out)}: ${Math.round(page.length / 1000)} kB`);
+  }
   writeFileSync(join(out, 'page-licences.txt'), licenceText);
-  writeFileSync(join(out, 'compare.js'), compare);
-  console.log(`${join(out, 'page.html')}: ${Math.round(page.length / 1000)} kB`);
+  const { script } = await bundle({ script: 'src/compare/main.js' }, modules, licenceText);
+  writeFileSync(join(out, 'compare.js'), script);
 }
 
 main().catch((error) => {

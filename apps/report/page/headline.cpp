@@ -1,0 +1,119 @@
+#include "apps/report/page/headline.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "apps/report/page/words.h"
+#include "core/base/error.h"
+
+namespace nilas::report {
+
+namespace {
+
+/// What the ice did: "the ice pushed the vessel back with 41 kN on average".
+std::string push_text(const RunFindings& found) {
+  const double mean = found.load->along.statistics.mean;
+  if (found.load->is_vessel())
+    return fmt::format("the ice pushed the vessel {} with {} on average", mean < 0 ? "forward" : "back",
+                       output::force_text(std::abs(mean)));
+  return fmt::format("the ice pushed '{}' {} the drift with {} on average", found.load->name,
+                     mean < 0 ? "against" : "along", output::force_text(std::abs(mean)));
+}
+
+std::string sureness(const BodyLoad& load) {
+  if (!load.along.half_width) return "; how exact this mean is cannot be said, since the window has too few steps";
+  const std::string error = error_force(*load.along.half_width, load.along.statistics.mean);
+  if (load.error_at_least) return ", known to within " + error + " at best";
+  if (load.chance_alone) return ", which chance alone makes uncertain by " + error;
+  return ", known to within " + error;
+}
+
+std::string largest(const RunFindings& found) {
+  const output::Peak& peak = found.load->along.peak;
+  const auto sides =
+      found.load->is_vessel() ? output::k_astern : output::LoadSides{"along the drift", "against the drift"};
+  std::string text = fmt::format("the largest load of one step was {} at {}", output::sided_force(peak.raw, sides),
+                                 time_text(peak.raw_time, found.run.step()));
+  if (!found.cause) return text;
+  constexpr double k_half = 0.5;
+  const PeakCause& cause = *found.cause;
+  const char* part = cause.floes == 1 ? "by" : cause.share >= k_half ? "mostly by" : "most of all by";
+  text += fmt::format(", {} {} {}", part, found.floe_made_peak ? "floe" : "body", cause.floe);
+  return text;
+}
+
+/// Which body made the largest load, and how much of it.
+std::string who_text(const RunFindings& found) {
+  constexpr double k_percent = 100;
+  const PeakCause& cause = *found.cause;
+  const char* kind = found.floe_made_peak ? "Floe" : "Body";
+  if (cause.floes == 1) return fmt::format("{} {} alone made this load", kind, cause.floe);
+  if (cause.share > 1)
+    return fmt::format("{} {} made this load: it pushed with {:.0f} % of it, and others pushed the other way", kind,
+                       cause.floe, k_percent * cause.share);
+  return fmt::format("{} {} made {:.0f} % of this load, to which {} bodies contributed", kind, cause.floe,
+                     k_percent * cause.share, cause.floes);
+}
+
+std::string cause_text(const RunFindings& found) {
+  const PeakCause& cause = *found.cause;
+  if (!found.body->is_vessel)
+    return fmt::format("{}. It acted at x = {:.4g} m, y = {:.4g} m.", who_text(found), cause.place.x(),
+                       cause.place.y());
+  return fmt::format("{}. It acted {} (x = {:.4g} m, y = {:.4g} m, z = {:.4g} m in the frame of the hull).",
+                     who_text(found), place_on_vessel(cause.place, found.body->mesh), cause.place.x(), cause.place.y(),
+                     cause.place.z());
+}
+
+std::vector<std::string> limits(const RunFindings& found) {
+  const BodyLoad& load = *found.load;
+  std::vector<std::string> text;
+  const double mean = load.along.statistics.mean;
+  if (load.along.half_width && *load.along.half_width > std::abs(mean))
+    text.emplace_back("The mean cannot be told from zero: its error is larger than itself. Run longer.");
+  if (!load.peak_depends.empty()) text.push_back(load.peak_depends);
+  text.emplace_back(
+      "The error does not cover other ice of the same kind. Run other seeds (--seed) and compare the means.");
+  return text;
+}
+
+std::string without_load(const RunFindings& found) {
+  if (found.loads.empty())
+    return "The run has no vessel and no fixed body in its tables, so it has no ice load. The report shows energy, "
+           "solver and time.";
+  return fmt::format("No ice pressed on {} from {:.4g} s to {:.4g} s.", found.subject(), found.load->window.from,
+                     found.load->window.to);
+}
+
+std::string tow_text(const RunFindings& found) {
+  const auto& tow = found.run.summary.at("tow_force");
+  return fmt::format("The carriage pulled with {} on average, at {:.4g} m/s.",
+                     output::force_text(tow.at("mean_N").get<double>()), tow.at("speed_m_s").get<double>());
+}
+
+}  // namespace
+
+std::vector<std::string> headline(const RunFindings& found) {
+  std::vector<std::string> text;
+  if (found.load == nullptr || !found.load->touched) {
+    text.push_back(without_load(found));
+  } else {
+    const output::LoadWindow& window = found.load->window;
+    text.push_back(fmt::format("Over {:.4g} to {:.4g} s {}{}; {}.", window.from, window.to, push_text(found),
+                               sureness(*found.load), largest(found)));
+    if (found.cause) text.push_back(cause_text(found));
+    for (std::string& limit : limits(found)) text.push_back(std::move(limit));
+  }
+  if (found.run.summary.contains("tow_force")) text.push_back(tow_text(found));
+  return text;
+}
+
+std::string peak_address(const RunFindings& found) {
+  if (found.load == nullptr || !found.load->touched) return "";
+  std::string address = fmt::format("replay.html#t={:.6g}", found.load->along.peak.raw_time);
+  if (found.cause) address += fmt::format("&pick={}", found.cause->floe);
+  return address;
+}
+
+}  // namespace nilas::report

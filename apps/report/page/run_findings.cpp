@@ -1,0 +1,77 @@
+#include "apps/report/page/run_findings.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/error.h"
+
+namespace nilas::report {
+
+namespace {
+
+void find_shapes(RunFindings& found, const std::string& body) {
+  if (!found.run.scene) return;
+  const scene::Scene& scene = *found.run.scene;
+  const bool needs_identities = !scene.vessel || !body.empty();
+  found.run.attempt("The shapes of vessel and bodies", [&] { found.shapes = run_shapes(scene, needs_identities); });
+}
+
+void find_contacts(RunFindings& found) {
+  RunData& run = found.run;
+  if (run.scene && run.scene->output.contacts == StoredContacts::none) {
+    run.gaps.push_back(
+        {"Load by place", "The run stored no contacts, since its scene has <output contacts=\"none\">."});
+    return;
+  }
+  if (found.body == nullptr) return;
+  const bool read = run.attempt("Load by place", [&] {
+    found.contacts = hull_contacts(run.folder / "contacts.h5", found.body->id, found.body->is_vessel);
+  });
+  if (!read || found.load == nullptr) return;
+  const auto& series = found.load->series;
+  const auto& across =
+      found.load->is_vessel() ? run.vessel["ice_side_N"] : run.structures[found.load->name + "_ice_side_N"];
+  const double time = found.load->along.peak.raw_time;
+  for (std::size_t k = 0; k < series.size(); ++k)
+    if (std::abs(run.times()[k] - time) < 0.5 * run.step())
+      found.cause = peak_cause(*found.contacts, time, run.step(), series[k], across[k]);
+}
+
+}  // namespace
+
+const IceFrameFile* frame_near(const RunFindings& found, double t) {
+  const auto nearest = std::min_element(found.frames.begin(), found.frames.end(), [&](const auto& a, const auto& b) {
+    return std::abs(a.t - t) < std::abs(b.t - t);
+  });
+  return nearest == found.frames.end() ? nullptr : &*nearest;
+}
+
+std::string RunFindings::vessel_name() const {
+  return run.scene && run.scene->vessel ? run.scene->vessel->name : "vessel";
+}
+
+std::string RunFindings::subject() const {
+  if (load == nullptr) return "";
+  return load->is_vessel() ? "the vessel" : "'" + load->name + "'";
+}
+
+std::unique_ptr<RunFindings> examine_run(const std::filesystem::path& folder, const std::string& body) {
+  auto found = std::make_unique<RunFindings>();
+  found->run = read_run(folder);
+  find_shapes(*found, body);
+  found->loads = body_loads(found->run, found->shapes ? &*found->shapes : nullptr);
+  found->load = subject_of(found->loads, body, found->vessel_name());
+  if (found->shapes && found->load != nullptr)
+    found->body = found->shapes->find(found->load->name, found->load->is_vessel());
+  if (found->load != nullptr) find_contacts(*found);
+  found->run.attempt("The ice over time", [&] { found->frames = ice_frame_files(folder); });
+  if (!found->cause) return found;
+  if (const IceFrameFile* frame = frame_near(*found, found->load->along.peak.raw_time))
+    found->run.attempt("The floe of the largest load", [&] {
+      const auto ids = read_ice_frame(*frame).ids;
+      found->floe_made_peak = std::find(ids.begin(), ids.end(), found->cause->floe) != ids.end();
+    });
+  return found;
+}
+
+}  // namespace nilas::report

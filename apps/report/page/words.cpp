@@ -1,0 +1,38 @@
+#include "apps/report/page/words.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace nilas::report {
+
+std::string error_force(double newton, double beside) {
+  const output::ForceUnit unit = output::force_unit(std::max(std::abs(newton), std::abs(beside)));
+  const double value = newton / unit.size;
+  if (value == 0 || !std::isfinite(value)) return fmt::format("{:g} {}", value, unit.name);
+  const double power = std::floor(std::log10(std::abs(value)));
+  const double last = std::pow(10, power - 1);
+  return fmt::format("{:.{}f} {}", std::round(value / last) * last, std::max(0, 1 - static_cast<int>(power)),
+                     unit.name);
+}
+
+std::string mean_with_error(double mean, const std::optional<double>& error, bool at_least) {
+  const std::string text = output::force_text(mean);
+  if (!error) return text + " (± not known)";
+  return text + " ± " + (at_least ? "at least " : "") + error_force(*error, mean);
+}
+
+std::string time_text(double t, double step) {
+  const int decimals = step > 0 ? std::clamp(static_cast<int>(std::ceil(-std::log10(step) - 1e-9)), 0, 6) : 3;
+  std::string text = fmt::format("{:.{}f}", t, decimals);
+  if (text.find('.') != std::string::npos) {
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.back() == '.') text.pop_back();
+  }
+  return text + " s";
+}
+
+std::string number_text(double value) { return fmt::format("{:.4g}", value); }
+
+}  // namespace nilas::report

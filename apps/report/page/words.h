@@ -1,0 +1,19 @@
+#pragma once
+/// Numbers of a report as text.
+#include <optional>
+#include <string>
+
+#include "core/output/loads/ice_load_text.h"
+
+namespace nilas::report {
+
+/// A force with two significant digits, as an error has, in the unit that suits the larger of it and `beside`.
+std::string error_force(double newton, double beside);
+/// A mean with its error: "41.3 kN ± 2.9 kN"; "at least" before the error where it is a lower bound.
+std::string mean_with_error(double mean, const std::optional<double>& error, bool at_least);
+/// A time with as many digits as steps of this length need: "34.2 s".
+std::string time_text(double t, double step);
+/// A number with up to four significant digits.
+std::string number_text(double value);
+
+}  // namespace nilas::report
