@@ -263,7 +263,7 @@ check('a scene without water, vessel, tank, contacts and channels is shown', asy
   await page.close();
 });
 
-check('100 000 contacts in a frame are drawn', async () => {
+check('all of 100 000 contacts in a frame are drawn, and the largest forces', async () => {
   const { ReplayWriter } = await import('./replay_writer.mjs'), { prism } = await import('./shapes.mjs');
   const writer = new ReplayWriter(), count = 100000;
   writer.head({ scene: 'many', every: 1, until: 1, water_level: 0, tank: null, view: null, channels: [], contacts: 'all', damage: false, hull: null });
@@ -275,13 +275,14 @@ check('100 000 contacts in a frame are drawn', async () => {
   writer.frame({ time: 0, step: 0, stepLength: 1, unit: 1e-4, bodies, contacts: contacts.slice(0, 1) });
   writer.frame({ time: 1, step: 1, stepLength: 1, unit: 1e-4, bodies, contacts });
   const { page, faults } = await open(write('many', writer.bytes()), { width: 320, height: 240 });
-  const { numbers, frameMs } = await page.evaluate(async () => {
+  const { numbers, least, frameMs, legend } = await page.evaluate(async () => {
     const { frameMs: mean } = await window.nilas.measure(2), { contacts: points, crushed, arrows } = window.nilas.state();
-    // Drawing by software takes arrows one by one, so they are drawn for one picture only.
-    window.nilas.set('arrows', false);
-    return { numbers: [points, crushed, arrows.length], frameMs: 2 * mean };
+    return { numbers: [points, crushed, arrows.length], least: Math.min(...arrows.map(({ force }) => Math.abs(force[0]))), frameMs: 2 * mean,
+             legend: document.getElementById('legend').textContent };
   });
-  assert.deepEqual(numbers, [count, count / 4, count]);
+  assert.deepEqual(numbers, [count, count / 4, 20000]);
+  assert.equal(least, 6, 'forces are 1 to 7 N in turn, so those of 6 and 7 N are more than 20 000');
+  assert.match(legend, /the 20000 largest of 100000 forces/);
   assert.ok(frameMs > 0);
   console.log(`a frame with ${count} contacts takes ${Math.round(frameMs)} ms at 320 x 240`);
   assert.deepEqual(faults, []);

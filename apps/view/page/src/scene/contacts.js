@@ -7,6 +7,8 @@ import { COLOURS } from './shading.js';
 
 const COLOUR_OF_STATUS = [COLOURS.open, COLOURS.stick, COLOURS.slip, COLOURS.crush];
 const DOT = 5.5, CRUSH_RING = 15;
+/** The most forces, normals and chains of a frame that are drawn. More cannot be told apart, and take seconds by software. */
+const MOST_FORCES = 20000;
 
 /** Contact points, normals, force arrows and force chains of a frame. */
 export class ContactLayer {
@@ -15,6 +17,9 @@ export class ContactLayer {
   normals = new Rods({ order: 12 });
   arrows = new Rods({ arrows: true, order: 13 });
   chains = new Rods({ order: 10 });
+  /** The contacts whose forces are drawn, and how many there are. */
+  drawn = [];
+  count = 0;
 
   get objects() { return this.layers.map((layer) => layer.object); }
   get layers() { return [this.points, this.rings, this.normals, this.arrows, this.chains]; }
@@ -31,6 +36,10 @@ export class ContactLayer {
     for (let i = 0; i < count; ++i) {
       if (shown.contacts) this.#addPoint(frame.contacts, i);
       if (shown.crushed && status[i] === ContactStatus.crush) this.#addRing(frame.contacts, i);
+    }
+    this.count = count;
+    this.drawn = strongest(frame.contacts);
+    for (const i of this.drawn) {
       if (shown.normals) this.#addNormal(frame.contacts, i, scale.length);
       if (shown.arrows) this.#addArrow(frame, i, scale);
       if (shown.chains) this.#addChain(frame, poses, i, scale);
@@ -68,6 +77,14 @@ export class ContactLayer {
     const width = 0.02 * length * Math.min(1, Math.sqrt(size));
     this.chains.add(...end(first[i]), ...end(second[i]), width, (colour[0] << 16) | (colour[1] << 8) | colour[2]);
   }
+}
+
+/** The contacts of the largest forces, in the order of the frame; all where they are not too many. */
+function strongest({ count, force }) {
+  const all = Array.from({ length: count }, (_, i) => i);
+  if (count <= MOST_FORCES) return all;
+  const size = all.map((i) => Math.hypot(force[3 * i], force[3 * i + 1], force[3 * i + 2]));
+  return all.sort((i, j) => size[j] - size[i] || i - j).slice(0, MOST_FORCES).sort((i, j) => i - j);
 }
 
 const isVessel = (kind) => kind === BodyKind.vessel || kind === BodyKind.part;

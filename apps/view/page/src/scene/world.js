@@ -169,7 +169,7 @@ export class World {
   state() {
     const { frame } = this, { bodies, contacts } = frame;
     const arrows = [];
-    for (let i = 0; i < this.contacts.arrows.count; ++i) {
+    for (const i of this.contacts.drawn.slice(0, this.contacts.arrows.count)) {
       const second = actsOnSecond(frame, i), sign = second ? -1 : 1;
       arrows.push({
         on: bodies.id[second ? contacts.second[i] : contacts.first[i]], by: bodies.id[second ? contacts.first[i] : contacts.second[i]],

@@ -15,7 +15,7 @@ export class Legend {
   /** @param {import('../scene/world.js').World} world */
   update(world, options) {
     const { legend } = world.colours, hasContacts = world.recording.head.contacts !== undefined;
-    const key = JSON.stringify([legend, world.metresPerNewton, ['contacts', 'arrows', 'chains', 'crushed', 'normals'].map((n) => options.get(n))]);
+    const key = JSON.stringify([legend, world.metresPerNewton, omitted(world), ['contacts', 'arrows', 'chains', 'crushed', 'normals'].map((n) => options.get(n))]);
     if (key === this.#last) return;
     this.#last = key;
     this.#box.replaceChildren(...[legend ? colourKey(legend) : null, hasContacts ? contactKey(world, options) : null].filter(Boolean));
@@ -29,6 +29,9 @@ function colourKey({ title, unit, low, high, isLog, isList }) {
             el('div', { class: 'ramp', style: `background: ${RAMP_CSS}` }),
             el('div', { class: 'ends' }, el('span', {}, formatRound(Number((factor * low).toPrecision(3)))), el('span', {}, formatRound(Number((factor * high).toPrecision(3))))));
 }
+
+/** How many forces of the frame are not drawn. */
+const omitted = ({ contacts }) => contacts.count - contacts.drawn.length;
 
 function contactKey(world, options) {
   const parts = [];
@@ -44,6 +47,7 @@ function contactKey(world, options) {
   if (options.get('arrows')) {
     dot(COLOURS.forceOnVessel, 'force on vessel or fixed body', 'arrow');
     dot(COLOURS.forceOnFloe, 'force on floe', 'arrow');
+    if (omitted(world) > 0) parts.push(el('span', {}, `the ${world.contacts.drawn.length} largest of ${world.contacts.count} forces`));
     if (world.metresPerNewton > 0) parts.push(el('span', {}, `1 m of arrow is ${formatValue(1 / world.metresPerNewton, 'N')}`));
   }
   return parts.length > 0 ? el('div', { class: 'keys' }, ...parts) : null;
