@@ -138,9 +138,9 @@ TEST(Dp, ADivergingControllerIsAnError) {
     dp.most_offset = 10;
   });
   rig.load = across(1e5);
-  test::expect_refusal<SimulationError>(
-      [&] { rig.run(5000); },
-      {"has lost the vessel", "swung to and fro. So the control diverges", "a lower <control bandwidth>", "sensor_delay"});
+  test::expect_refusal<SimulationError>([&] { rig.run(5000); },
+                                        {"has lost the vessel", "swung to and fro. So the control diverges",
+                                         "a lower <control bandwidth>", "sensor_delay"});
 }
 
 // The same within the default most_offset goes on swinging, as far as the thrusters push. The report says so; that of a
