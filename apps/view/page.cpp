@@ -60,7 +60,7 @@ std::string report_page(const std::string& title, const std::string& body, const
   demand_page();
   std::string page(page_file("report.html"));
   // From the last place to the first: what stands in one may hold the name of another.
-  replace(page, "@NILAS_DATA@", for_script(data));
+  replace(page, "@NILAS_DATA@", output::script_json(data));
   replace(page, "@NILAS_BODY@", body);
   replace(page, "@NILAS_TITLE@", output::html_text(title));
   return page;
