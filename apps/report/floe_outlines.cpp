@@ -57,6 +57,7 @@ void add_upper_faces(const Element* piece, IceFrame& frame) {
   for (std::size_t k = 0; k < ids.size(); ++k) {
     count = k > 0 && ids[k] == ids[k - 1] ? count + 1 : 1;
     if (count != 2) continue;
+    if (ends[k] - ends[k - 1] < 3) throw InputError("a polygon has fewer than three corners");
     frame.ids.push_back(ids[k]);
     std::vector<Vec3>& face = frame.outlines.emplace_back();
     for (auto c = static_cast<std::size_t>(ends[k - 1]); c < static_cast<std::size_t>(ends[k]); ++c) {

@@ -4,8 +4,9 @@
 
 namespace nilas::view {
 
-/// The bundled files by their names: "page.html" with places that page.cpp fills, "compare.js", the script of the page
-/// of a comparison, and "theme.css" with the colours of both. The first two are empty where they were not built.
+/// The bundled files by their names: "page.html" and "report.html" with places that page.cpp fills, "compare.js", the
+/// script of the page of a comparison, and "theme.css" with colours. All but the last are empty where they were not
+/// built.
 std::string_view page_file(std::string_view name);
 
 }  // namespace nilas::view

@@ -96,10 +96,15 @@ int write_report(const ReportOptions& options) {
   const bool compares = options.runs.size() > 1;
   output::PhaseProgress progress(std::cerr, output::phase_style(options.json, options.json), "reading the run");
   std::vector<std::unique_ptr<report::RunFindings>> runs;
-  for (const std::string& run : options.runs) runs.push_back(report::examine_run(run, options.body));
+  for (const std::string& run : options.runs) {
+    // All runs are compared by the load on the same body: that of the first.
+    const bool follows = options.body.empty() && !runs.empty() && runs.front()->load != nullptr;
+    const std::string body = follows && !runs.front()->load->is_vessel() ? runs.front()->load->name : options.body;
+    runs.push_back(report::examine_run(run, body));
+  }
   progress.next("making the report");
   WrittenReport written;
-  written.page = compares ? report::comparison_page(runs) : report::report_page(*runs.front());
+  written.page = compares ? report::comparison_page(runs) : report::report_page(*runs.front(), options.out.empty());
   const fs::path folder = options.out.empty() ? fs::path(options.runs.front()) : fs::path(options.out);
   make_folder(folder);
   written.file = folder / (compares ? "comparison.html" : "report.html");
@@ -107,7 +112,11 @@ int write_report(const ReportOptions& options) {
   if (options.figures) {
     progress.next("drawing the figures");
     make_folder(folder / "figures");
-    written.figures = report::write_figures(written.page, folder / "figures");
+    try {
+      written.figures = report::write_figures(written.page, folder / "figures");
+    } catch (const FileError& fault) {
+      throw FileError(std::string(fault.what()) + "; " + written.file.string() + " was written, without figures");
+    }
   }
   progress.end();
   tell(written, options);
@@ -124,13 +133,14 @@ void add_report(CLI::App& app, Action& action) {
                    "Reads the run in this folder and writes report.html. With several, compares them and writes "
                    "comparison.html.")
       ->required();
-  command->add_flag("--figures", options->figures,
-                    "Also writes each graph as SVG and PDF for papers, into the folder figures beside the page.");
+  auto* figures =
+      command->add_flag("--figures", options->figures,
+                        "Also writes each graph as SVG and PDF for papers, into the folder figures beside the page.");
   auto* contacts = command->add_option(
       "--contacts", options->contacts,
       "Writes no page, but draws the contacts around these simulated times [s], separated by commas, into contacts.svg "
       "and contacts.png.");
-  contacts->delimiter(',');
+  contacts->delimiter(',')->excludes(figures);
   command->add_option("--window", options->window, "Draws the contacts up to this long [s] before and after each time.")
       ->check(at_least(0))
       ->needs(contacts)
@@ -141,7 +151,8 @@ void add_report(CLI::App& app, Action& action) {
       "the largest mean load; for --contacts all fixed bodies.");
   command->add_option("--out", options->out,
                       "Writes into this folder. The default is the run folder; of several runs, the first.");
-  command->add_flag("--json", options->json, "Prints the sentences and the names of the files as JSON.");
+  command->add_flag("--json", options->json, "Prints the sentences and the names of the files as JSON.")
+      ->excludes(contacts);
   command->callback([&action, options] {
     action = [options] { return options->contacts.empty() ? write_report(*options) : draw_contacts(*options); };
   });

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <regex>
 
 #include "apps/nilas/commands/commands.h"
@@ -61,6 +62,10 @@ void check_look(const std::string& word) {
   if (!std::regex_match(word, found, pattern)) throw InputError("--look: found " + word + wanted);
   if (std::find(k_own_words.begin(), k_own_words.end(), found[1].str()) != k_own_words.end())
     throw InputError("--look: found " + word + wanted + ". " + found[1].str() + " has an option of its own");
+}
+
+void check_finite(const std::string& option, double value) {
+  if (!std::isfinite(value)) throw InputError(fmt::format("{}: found {}; allowed: a finite number", option, value));
 }
 
 void check_film(const PictureOptions& options) {
@@ -123,6 +128,10 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
 void check_picture_options(const PictureOptions& options, const std::string& out) {
   if (options.wants_stills() && options.wants_film())
     throw InputError("--png and a film cannot be written at once; call the command once for each");
+  for (const double time : options.png) check_finite("--png", time);
+  check_finite("--from", options.from.value_or(0));
+  check_finite("--until", options.until.value_or(0));
+  check_finite("--speed", options.speed);
   check_film(options);
   if (!options.wants_stills() && !options.wants_film()) return;
   size_of(options);

@@ -13,6 +13,7 @@ constexpr double k_whole = 100;  // [%]
 /// Ranks from 1 to n, each of the first and then ever fewer, at most `most` of them.
 std::vector<std::size_t> thinned_ranks(std::size_t n, std::size_t most) {
   std::vector<std::size_t> ranks;
+  if (n == 0) return ranks;
   if (n <= most) {
     for (std::size_t k = 1; k <= n; ++k) ranks.push_back(k);
     return ranks;
@@ -27,10 +28,16 @@ std::vector<std::size_t> thinned_ranks(std::size_t n, std::size_t most) {
   return ranks;
 }
 
+/// The values from the largest down, without those that are not finite.
+void sort_down(std::vector<double>& values) {
+  std::erase_if(values, [](double value) { return !std::isfinite(value); });
+  std::sort(values.begin(), values.end(), std::greater<>());
+}
+
 }  // namespace
 
 Curve step_exceedance(const std::string& name, std::vector<double> loads, double factor, std::size_t most) {
-  std::sort(loads.begin(), loads.end(), std::greater<>());
+  sort_down(loads);
   Curve curve{.name = name};
   const auto n = static_cast<double>(loads.size());
   for (std::size_t rank : thinned_ranks(loads.size(), most)) {
@@ -54,7 +61,7 @@ std::vector<double> local_peaks(const std::vector<double>& loads, double level) 
 }
 
 Curve peak_exceedance(const std::string& name, std::vector<double> peaks, double factor, std::size_t most) {
-  std::sort(peaks.begin(), peaks.end(), std::greater<>());
+  sort_down(peaks);
   Curve curve{.name = name, .is_dots = true};
   for (const std::size_t rank : thinned_ranks(peaks.size(), most)) {
     curve.x.push_back(factor * peaks[rank - 1]);

@@ -70,9 +70,8 @@ Section runs_section(const Runs& runs, const std::vector<std::string>& names) {
   Section section{.id = "runs", .title = "The runs"};
   section.text.emplace_back(
       "Loads along the course over each run's own window. The error of a difference is the root of the sum of squares "
-      "of "
-      "both errors. It holds for runs whose scatter is independent.");
-  PageTable table{.head = {"", "mean", "less the first", "standard deviation", "99 % of steps below",
+      "of both errors. It holds for runs whose scatter is independent.");
+  PageTable table{.head = {"", "mean", "less the first", "standard deviation", "99 % of steps below, by size",
                            "largest filtered", "largest of one step", "simulated", "wall time"}};
   for (std::size_t k = 0; k < runs.size(); ++k) {
     const RunFindings& run = *runs[k];
@@ -89,7 +88,7 @@ Section runs_section(const Runs& runs, const std::vector<std::string>& names) {
         row.push_back(output::force_text(value));
     }
     row.push_back(fmt::format("{:.6g} s", run.run.times().back() - run.run.start()));
-    row.push_back(run.run.summary.contains("wall_s")
+    row.push_back(run.run.summary.contains("wall_s") && run.run.summary.at("wall_s").is_number()
                       ? fmt::format("{:.4g} s", run.run.summary.at("wall_s").get<double>())
                       : "not known");
     table.rows.push_back(std::move(row));
@@ -138,6 +137,9 @@ Section curves_section(const Runs& runs, const std::vector<std::string>& names) 
   Section section{.id = "curves", .title = "Loads over each other"};
   const output::ForceUnit unit = common_unit(runs);
   const double factor = 1 / unit.size;
+  // As in the report of one run, levels count in the direction of the mean: here that of the first run.
+  const BodyLoad* first = runs.front()->load;
+  const double side = first != nullptr && first->along.statistics.mean < 0 ? -1 : 1;
   const std::string force = fmt::format("load [{}]", unit.name);
   Plot loads{.id = "load-along",
              .title = "Ice load along the course",
@@ -152,7 +154,7 @@ Section curves_section(const Runs& runs, const std::vector<std::string>& names) 
                .log_y = true};
   Plot shares{.id = "exceedance",
               .title = "Share of steps whose load reaches a level",
-              .x_label = force,
+              .x_label = side < 0 ? fmt::format("load, its sign turned [{}]", unit.name) : force,
               .y_label = "share of steps [%]",
               .log_y = true};
   for (std::size_t k = 0; k < runs.size(); ++k) {
@@ -161,8 +163,10 @@ Section curves_section(const Runs& runs, const std::vector<std::string>& names) 
     loads.curves.push_back(along_curve(run, names[k], factor));
     if (auto curve = spectrum_curve(run.load->series, *run.load, run.run.step(), names[k], factor))
       spectra.curves.push_back(std::move(*curve));
-    if (run.load->window.steps() > 1)
-      shares.curves.push_back(step_exceedance(names[k], run.load->window.of(run.load->series), factor));
+    if (run.load->window.steps() <= 1) continue;
+    std::vector<double> sided = run.load->window.of(run.load->series);
+    for (double& value : sided) value *= side;
+    shares.curves.push_back(step_exceedance(names[k], std::move(sided), factor));
   }
   if (loads.curves.empty()) section.gaps.emplace_back("No run has anything that bears a load.");
   for (Plot* plot : {&loads, &spectra, &shares})

@@ -119,11 +119,10 @@ std::vector<std::string> write_figures(const ReportPage& page, const std::filesy
       note(plot.id);
     }
   if (page.hull) {
-    const Json place{{"rows", place_rows(*page.hull)},
-                     {"half", 0.5 * page.hull->load.width},
-                     {"low", -0.5 * page.hull->outline},
-                     {"high", 0.5 * page.hull->outline},
-                     {"formats", formats_of("load-by-place")}};
+    const Json place{
+        {"rows", place_rows(*page.hull)},      {"side", page.hull->is_vessel ? "to port" : "0 towards the ice"},
+        {"half", 0.5 * page.hull->load.width}, {"low", -0.5 * page.hull->outline},
+        {"high", 0.5 * page.hull->outline},    {"formats", formats_of("load-by-place")}};
     output::plot(folder, output::fill_template(report_template("place.gnuplot"), place, output::Escape::gnuplot));
     note("load-by-place");
   }

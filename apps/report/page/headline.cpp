@@ -111,7 +111,7 @@ std::vector<std::string> headline(const RunFindings& found) {
 
 std::string peak_address(const RunFindings& found) {
   if (found.load == nullptr || !found.load->touched) return "";
-  std::string address = fmt::format("replay.html#t={:.6g}", found.load->along.peak.raw_time);
+  std::string address = fmt::format("replay.html#t={:.9g}", found.load->along.peak.raw_time);
   if (found.cause) address += fmt::format("&pick={}", found.cause->floe);
   return address;
 }

@@ -52,6 +52,13 @@ WaterWindow window_of_vessel(const RunFindings& found, double t) {
   return window;
 }
 
+/// Whether the far end of the window lies beyond the end of the tank, where there is no water.
+bool is_beyond_tank(const RunFindings& found, const WaterWindow& window) {
+  if (!found.run.scene || !found.run.scene->tank) return false;
+  const Vec2 end = window.middle + 0.5 * window.length * window.ahead;
+  return end.x() > found.run.scene->tank->length;
+}
+
 }  // namespace
 
 std::optional<WaterWindow> window_ahead(const RunFindings& found, double t) {
@@ -68,6 +75,7 @@ std::optional<Curve> cover_curve(const RunFindings& found, const std::string& na
   const std::size_t stride = (found.frames.size() + k_most_frames - 1) / k_most_frames;
   Curve curve{.name = name};
   for (std::size_t k = 0; k < found.frames.size(); k += stride) {
+    if (is_beyond_tank(found, *window_ahead(found, found.frames[k].t))) continue;
     const IceFrame frame = read_ice_frame(found.frames[k]);
     curve.x.push_back(frame.t);
     curve.y.push_back(k_percent * ice_cover(frame.outlines, *window_ahead(found, frame.t)));
@@ -95,11 +103,15 @@ Section ice_section(RunFindings& found) {
         "The window ahead is not known, since the shape or the course of what the ice meets is not known.");
     return section;
   }
+  if (curve->x.empty()) {
+    section.gaps.emplace_back("The window ahead reaches beyond the tank at all stored moments.");
+    return section;
+  }
   const WaterWindow window = *window_ahead(found, 0);
   section.text.push_back(fmt::format(
       "The share of the water that ice covers in a window ahead of {}: {:.4g} m long and {:.4g} m wide, {}. It is "
-      "{:.3g} % "
-      "on average. Ice that overrides other ice counts twice.",
+      "{:.3g} % on average. Moments at which the window reaches beyond the tank are left out. Ice that overrides other "
+      "ice counts twice.",
       found.subject(), window.length, window.width,
       found.body->is_vessel ? "one length and one beam of the hull, along its heading" : "against the drift",
       mean_of(curve->y)));

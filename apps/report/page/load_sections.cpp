@@ -86,7 +86,8 @@ std::vector<std::string> component_row(const std::string& name, const output::Co
 
 PageTable load_table(const RunFindings& found) {
   PageTable table;
-  table.head = {"load", "mean", "standard deviation", "99 % of steps below", "largest filtered", "largest of one step"};
+  table.head = {
+      "load", "mean", "standard deviation", "99 % of steps below, by size", "largest filtered", "largest of one step"};
   table.caption = fmt::format("Filtered values are means over {:.2g} s. The window is {:.5g} to {:.5g} s: {}.",
                               found.load->along.peak.filter, found.load->window.from, found.load->window.to,
                               found.load->window.reason);
@@ -122,7 +123,7 @@ Plot exceedance_plot(const RunFindings& found) {
   for (double& value : sided) value *= side;
   Plot plot{.id = "exceedance",
             .title = "How often the load along the course reaches a level",
-            .x_label = fmt::format("load [{}]", unit.name),
+            .x_label = fmt::format("{} [{}]", side < 0 ? "load, its sign turned" : "load", unit.name),
             .y_label = "share of steps or peaks [%]",
             .log_y = true};
   plot.curves.push_back(step_exceedance("steps", sided, factor));
@@ -230,7 +231,7 @@ Section statistics_section(const RunFindings& found) {
     section.gaps.emplace_back("The run has no vessel and no fixed body in its tables.");
     return section;
   }
-  if (found.load->chance_alone)
+  if (!found.load->told)
     section.text.emplace_back(
         "There is no summary, so these figures were computed from the tables. The error of a mean holds the effect of "
         "chance alone; those of solver and contact law are not known.");

@@ -118,6 +118,9 @@ Section breaks_section(const RunFindings& found) {
     curve.x.push_back(found.run.times().back());
     curve.y.push_back(curve.y.back());
     Curve thin = thinned(kind, curve.x, curve.y);
+    if (!thin.high.empty()) thin.y = thin.high;  // counts rise, so the last of a stretch is its largest
+    thin.low.clear();
+    thin.high.clear();
     thin.is_steps = true;
     plot.curves.push_back(std::move(thin));
   }

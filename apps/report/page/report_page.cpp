@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <functional>
 
 #include "apps/report/page/headline.h"
 #include "apps/report/page/ice_section.h"
@@ -19,9 +22,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Numbers with six significant digits, which a screen does not need more of; null where one is not finite.
-Json numbers_json(const std::vector<double>& values) {
-  constexpr int k_digits = 6;
+/// Numbers with so many significant digits; null where one is not finite.
+Json numbers_json(const std::vector<double>& values, int digits) {
   Json list = Json::array();
   for (const double value : values) {
     if (!std::isfinite(value)) {
@@ -29,8 +31,8 @@ Json numbers_json(const std::vector<double>& values) {
       continue;
     }
     const double power = value == 0 ? 0 : std::floor(std::log10(std::abs(value)));
-    const double unit = std::pow(10, std::abs(k_digits - 1 - power));
-    const bool small = power < k_digits - 1;
+    const double unit = std::pow(10, std::abs(digits - 1 - power));
+    const bool small = power < digits - 1;
     list.push_back(small ? std::round(value * unit) / unit : std::round(value / unit) * unit);
   }
   return list;
@@ -38,12 +40,14 @@ Json numbers_json(const std::vector<double>& values) {
 
 Json plot_json(const Plot& plot) {
   Json curves = Json::array(), levels = Json::array();
+  // Steps stay apart in a run that begins late, and a screen needs no more of the values.
+  constexpr int k_place = 10, k_value = 6;
   for (const Curve& curve : plot.curves)
     curves.push_back({{"name", curve.name},
-                      {"x", numbers_json(curve.x)},
-                      {"y", numbers_json(curve.y)},
-                      {"low", numbers_json(curve.low)},
-                      {"high", numbers_json(curve.high)},
+                      {"x", numbers_json(curve.x, k_place)},
+                      {"y", numbers_json(curve.y, k_value)},
+                      {"low", numbers_json(curve.low, k_value)},
+                      {"high", numbers_json(curve.high, k_value)},
                       {"dots", curve.is_dots},
                       {"steps", curve.is_steps}});
   for (const Level& level : plot.levels)
@@ -88,29 +92,53 @@ Section gaps_section(const RunData& run) {
   return section;
 }
 
+/// The section, or its title with a gap where the run's files lack what it needs.
+Section made(RunData& run, const char* id, const char* title, const std::function<Section()>& make) {
+  Section section{.id = id, .title = title};
+  if (!run.attempt(title, [&] { section = make(); }))
+    section.gaps.emplace_back("This cannot be shown. What is missing is named at the end of the page.");
+  return section;
+}
+
+/// A path as a shell takes it.
+std::string quoted(const std::string& path) {
+  const bool is_plain = std::all_of(path.begin(), path.end(), [](unsigned char c) {
+    return std::isalnum(c) != 0 || c == '/' || c == '.' || c == '-' || c == '_';
+  });
+  if (is_plain) return path;
+  std::string text = "'";
+  for (const char c : path) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return text + "'";
+}
+
 }  // namespace
 
-ReportPage report_page(RunFindings& found) {
+ReportPage report_page(RunFindings& found, bool beside_run) {
   ReportPage page;
   page.title = (found.run.scene ? found.run.scene->name : "Run") + " (" + found.run.name + ")";
-  page.headline = headline(found);
+  if (!found.run.attempt("The first sentences", [&] { page.headline = headline(found); }))
+    page.headline = {"The load of this run cannot be told. What is missing is named at the end of the page."};
   const std::string address = peak_address(found);
   if (!address.empty()) {
-    page.see = "To see the largest load in motion, call: nilas view " + found.run.name + ". Then open " + address;
-    if (std::filesystem::exists(found.run.folder / "replay.html")) page.address = address;
+    page.see = "To see the largest load in motion, call: nilas view " + quoted(found.run.folder.string()) +
+               ". Then open " + address;
+    if (beside_run && std::filesystem::exists(found.run.folder / "replay.html")) page.address = address;
   }
-  page.hull = hull_picture(found);
-  page.sections.push_back(scene_section(found));
-  page.sections.push_back(loads_section(found));
-  page.sections.push_back(spectra_section(found));
-  page.sections.push_back(statistics_section(found));
-  page.sections.push_back(place_section(found, page.hull));
-  page.sections.push_back(pressure_section(found));
-  page.sections.push_back(ice_section(found));
-  page.sections.push_back(breaks_section(found));
-  page.sections.push_back(energy_section(found));
-  page.sections.push_back(solver_section(found));
-  page.sections.push_back(time_section(found));
+  found.run.attempt("The picture of the hull", [&] { page.hull = hull_picture(found); });
+  const auto add = [&](const char* id, const char* title, const std::function<Section()>& make) {
+    page.sections.push_back(made(found.run, id, title, make));
+  };
+  add("scene", "What was run", [&] { return scene_section(found); });
+  add("loads", "Loads over time", [&] { return loads_section(found); });
+  add("spectra", "Spectra", [&] { return spectra_section(found); });
+  add("statistics", "Statistics and exceedance", [&] { return statistics_section(found); });
+  add("place", "Load by place", [&] { return place_section(found, page.hull); });
+  add("pressure", "Pressure over area", [&] { return pressure_section(found); });
+  add("ice", "Ice ahead", [&] { return ice_section(found); });
+  add("breaks", "Breaks over time", [&] { return breaks_section(found); });
+  add("energy", "Energy ledger", [&] { return energy_section(found); });
+  add("solver", "Solver health", [&] { return solver_section(found); });
+  add("time", "Where the time went", [&] { return time_section(found); });
   page.sections.push_back(gaps_section(found.run));
   return page;
 }

@@ -18,8 +18,9 @@ struct ReportPage {
   std::optional<HullPicture> hull;  ///< refers to what the page was made from
 };
 
-/// All sections of the report on one run. `found` must outlive the page.
-ReportPage report_page(RunFindings& found);
+/// All sections of the report on one run. `found` must outlive the page. `beside_run`: the page will lie in the run
+/// folder, so that it may lead to replay.html there.
+ReportPage report_page(RunFindings& found, bool beside_run);
 
 /// The page as one HTML text that needs nothing else. Throws InputError where the program was built without pages.
 std::string page_html(const ReportPage& page);

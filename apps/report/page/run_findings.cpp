@@ -1,5 +1,7 @@
 #include "apps/report/page/run_findings.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -12,7 +14,7 @@ namespace {
 void find_shapes(RunFindings& found, const std::string& body) {
   if (!found.run.scene) return;
   const scene::Scene& scene = *found.run.scene;
-  const bool needs_identities = !scene.vessel || !body.empty();
+  const bool needs_identities = !found.run.has_vessel() || !body.empty();
   found.run.attempt("The shapes of vessel and bodies", [&] { found.shapes = run_shapes(scene, needs_identities); });
 }
 
@@ -25,8 +27,13 @@ void find_contacts(RunFindings& found) {
   }
   if (found.body == nullptr) return;
   const bool read = run.attempt("Load by place", [&] {
-    found.contacts = hull_contacts(run.folder / "contacts.h5", found.body->id, found.body->is_vessel);
+    found.contacts = hull_contacts(run.folder / "contacts.h5", found.body->ids, found.body->is_vessel);
   });
+  if (read && found.contacts->steps < run.steps_done())
+    run.gaps.push_back(
+        {"Load by place", fmt::format("contacts.h5 holds {} of {} steps, so it was cut or is still being "
+                                      "written. What it holds is shown.",
+                                      found.contacts->steps, run.steps_done())});
   if (!read || found.load == nullptr) return;
   const auto& series = found.load->series;
   const auto& across =
@@ -35,6 +42,8 @@ void find_contacts(RunFindings& found) {
   for (std::size_t k = 0; k < series.size(); ++k)
     if (std::abs(run.times()[k] - time) < 0.5 * run.step())
       found.cause = peak_cause(*found.contacts, time, run.step(), series[k], across[k]);
+  // The load on a fixed body is that along the drift, which the run states.
+  if (found.cause && !found.body->is_vessel) found.cause->course = found.shapes->info.drift_course;
 }
 
 }  // namespace

@@ -65,6 +65,13 @@ DrawnArea area_around(const std::vector<geometry::TriangleMesh>& meshes, const s
   return {middle - Vec2(half, half_height), middle + Vec2(half, half_height)};
 }
 
+/// Of what moment the drawn ice is, where the stored frame is of another.
+std::string ice_moment(const RunFindings& found, double t) {
+  const IceFrameFile* frame = frame_near(found, t);
+  if (frame == nullptr || std::abs(frame->t - t) < 0.5 * found.run.step()) return "";
+  return " The ice is that of the stored frame at " + time_text(frame->t, found.run.step()) + ".";
+}
+
 Drawing from_above(const RunFindings& found, const Moment& moment) {
   DrawnShapes shapes;
   for (const auto& outline : ice_at(found, moment.t)) {
@@ -88,7 +95,8 @@ Drawing from_above(const RunFindings& found, const Moment& moment) {
   }
   const std::string what = fmt::format("From above {} ({})", moment.when, time_text(moment.t, found.run.step()));
   return {svg_drawing(shapes, area_around(meshes, shapes.ice), what),
-          what + (shapes.marks.empty() ? "." : ". The dot marks where the largest load acted.")};
+          what + (shapes.marks.empty() ? "." : ". The dot marks where the largest load acted.") +
+              ice_moment(found, moment.t)};
 }
 
 /// The hull from its starboard side, in its own frame, with the ice abeam of it.
@@ -124,7 +132,8 @@ Drawing from_the_side(const RunFindings& found, const Moment& moment) {
   }
   const std::string what =
       fmt::format("From the starboard side {} ({})", moment.when, time_text(moment.t, found.run.step()));
-  return {svg_drawing(shapes, area, what), what + ". Ice within the beam is drawn between its ends."};
+  return {svg_drawing(shapes, area, what),
+          what + ". Ice within the beam is drawn between its ends." + ice_moment(found, moment.t)};
 }
 
 PageTable facts_table(const RunFindings& found) {

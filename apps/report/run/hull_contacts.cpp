@@ -1,5 +1,6 @@
 #include "apps/report/run/hull_contacts.h"
 
+#include <algorithm>
 #include <array>
 
 #include "core/base/error.h"
@@ -46,7 +47,7 @@ Vec3 row_of(const Columns3& columns, std::size_t k) { return {columns[0][k], col
 
 }  // namespace
 
-HullContacts hull_contacts(const std::filesystem::path& file, std::int64_t id, bool is_vessel) {
+HullContacts hull_contacts(const std::filesystem::path& file, const std::vector<std::int64_t>& ids, bool is_vessel) {
   constexpr std::int64_t k_crush = 3;
   const ContactTable table(file);
   const auto time = table.numbers("time_s");
@@ -59,7 +60,7 @@ HullContacts hull_contacts(const std::filesystem::path& file, std::int64_t id, b
   contacts.steps = table.steps;
   double crushing = 0, all = 0, level = 0;
   for (std::size_t k = 0; k < table.rows; ++k) {
-    if (body[k] != id) continue;
+    if (std::find(ids.begin(), ids.end(), body[k]) == ids.end()) continue;
     const Vec3 r = row_of(impulse, k);
     if (r.isZero(0)) continue;
     contacts.time.push_back(time[k]);

@@ -17,11 +17,11 @@ struct HullContacts {
   std::vector<bool> crushes;                 ///< whether the ice carried all that it can bear
   std::size_t steps = 0;                     ///< number of whole steps in the file
   double floating_level = 0;  ///< mean height in G of the origin of V over all contacts [m]; 0 for a structure
-  double share_crushing = 0;  ///< share of the normal impulse in contacts where ice crushes
+  double share_crushing = 0;  ///< share of the impulses, by size, in contacts where ice crushes
 };
 
 /// Reads the contacts of body `id` that carried a force. Throws FileError or InputError where the file cannot be read
 /// or lacks a column.
-HullContacts hull_contacts(const std::filesystem::path& file, std::int64_t id, bool is_vessel);
+HullContacts hull_contacts(const std::filesystem::path& file, const std::vector<std::int64_t>& ids, bool is_vessel);
 
 }  // namespace nilas::report

@@ -41,6 +41,7 @@ output::LoadWindow window_from(const Json& json, const RunData& run) {
 }
 
 void take_summary(const Json& ice, const Json& window, const RunData& run, BodyLoad& load) {
+  load.told = true;
   load.touched = ice.contains("touched") ? ice.at("touched").get<bool>() : ice.at("touched_by_ice").get<bool>();
   const Json& along = ice.contains("along") ? ice.at("along") : ice.at("loads").at(k_along);
   const Json& across = ice.contains("across") ? ice.at("across") : ice.at("loads").at(k_across_column);
@@ -54,6 +55,7 @@ void take_summary(const Json& ice, const Json& window, const RunData& run, BodyL
 /// The same figures from the series of the loads along and across the course.
 void compute(const RunData& run, std::optional<double> ramp_end, const std::vector<double>& across, double length,
              BodyLoad& load) {
+  load.told = false;
   const double start = run.start(), h = run.step();
   std::optional<double> first_ice;
   for (std::size_t k = 0; k < load.series.size() && !first_ice; ++k)
@@ -112,6 +114,7 @@ std::vector<BodyLoad> body_loads(RunData& run, const RunShapes* shapes) {
     const Json* json = structure_json(run, load.name);
     const bool told = json != nullptr && run.attempt("The load on " + load.name,
                                                      [&] { take_summary(*json, json->at("window"), run, load); });
+    load.chance_alone = true;  // the run estimates the effects of solver and law for a vessel only
     if (!told)
       compute(run, std::nullopt, run.structures[load.name + "_" + k_across_column], length_of(shapes, load.name), load);
     loads.push_back(std::move(load));

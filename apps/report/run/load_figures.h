@@ -18,6 +18,7 @@ struct BodyLoad {
   output::ComponentLoad along, across;  ///< `halves` is not filled
   bool touched = false;
   bool error_at_least = false;  ///< the error of the mean is a lower bound
+  bool told = false;            ///< the figures are those of summary.json
   bool chance_alone = false;    ///< the error of the mean holds the effect of chance alone
   std::string peak_depends;     ///< what the peak of one step depends on; empty: not known
   std::vector<double> series;   ///< load along the course of every step [N]

@@ -1,5 +1,7 @@
 #include "apps/report/run/run_data.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 
@@ -49,6 +51,26 @@ void note_missing(RunData& run) {
   demand("steps.csv", true);
   demand("vessel.csv", run.scene && run.scene->vessel.has_value());
   demand("events.csv", run.scene && run.scene->fracture && run.scene->fracture->cuts_floes());
+}
+
+/// Notes the tables that end before the longest, and cells that are no number.
+void note_cut(RunData& run) {
+  const auto check = [&](const char* file, const RunTable& table) {
+    if (table.rows() == 0) return;
+    if (table.rows() < run.steps_done())
+      run.gaps.push_back(
+          {"The table " + std::string(file),
+           fmt::format("It ends at {:.6g} s, before the run's last step at {:.6g} s: it was cut, damaged "
+                       "or is still being written. What it holds is shown.",
+                       table.time().back(), run.times().back())});
+  };
+  check("vessel.csv", run.vessel);
+  check("structures.csv", run.structures);
+  check("steps.csv", run.steps);
+  if (run.summary.contains("steps") && run.summary.at("steps").is_number_integer() &&
+      run.summary.at("steps").get<std::size_t>() > run.steps_done())
+    run.gaps.push_back({"Steps of the run", fmt::format("The tables hold {} of the {} steps that summary.json counts.",
+                                                        run.steps_done(), run.summary.at("steps").get<std::size_t>())});
 }
 
 }  // namespace
@@ -110,6 +132,7 @@ RunData read_run(const fs::path& folder) {
   read_table(run, "steps.csv", run.steps);
   read_table(run, "events.csv", run.events);
   note_missing(run);
+  note_cut(run);
   if (run.times().empty())
     throw InputError(folder.string() +
                      ": there is nothing to report, since no table of the folder holds a step. The run was killed "

@@ -28,7 +28,7 @@ RunShapes run_shapes(const scene::Scene& scene, bool with_ice) {
   shapes.info = simulation.info();
   const auto add = [&](std::size_t b, bool is_vessel) {
     RunBody& body = shapes.bodies.emplace_back();
-    body.id = bodies.id[b];
+    body.ids = {bodies.id[b]};
     body.name = bodies.name[b];
     body.is_vessel = is_vessel;
     body.mesh = bodies.shape[b]->surface;
@@ -36,7 +36,12 @@ RunShapes run_shapes(const scene::Scene& scene, bool with_ice) {
       p = is_vessel ? Vec3(p + shapes.info.vessel_mass.com) : Vec3(bodies.p_GB[b] + bodies.R_GB[b] * p);
   };
   const output::LoadedBodies loaded = output::loaded_bodies(bodies, shapes.info);
-  if (loaded.vessel >= 0) add(static_cast<std::size_t>(loaded.vessel), true);
+  if (loaded.vessel >= 0) {
+    const auto hull = static_cast<std::size_t>(loaded.vessel);
+    add(hull, true);
+    for (std::size_t part = 1; part <= static_cast<std::size_t>(loaded.num_parts); ++part)
+      shapes.bodies.back().ids.push_back(bodies.id[hull + part]);
+  }
   for (const std::int64_t id : loaded.structures) add(bodies.index_of(id), false);
   return shapes;
 }

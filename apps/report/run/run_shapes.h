@@ -11,7 +11,7 @@
 namespace nilas::report {
 
 struct RunBody {
-  std::int64_t id = 0;
+  std::vector<std::int64_t> ids;  ///< of the body; of a vessel those of its hull and its parts
   std::string name;
   bool is_vessel = false;
   geometry::TriangleMesh mesh;  ///< in V of a vessel, else in G [m]

@@ -20,25 +20,23 @@ struct FlatScene {
   std::map<std::string, std::string> values;
 };
 
-/// Number of an element among its siblings of the same name, from 1; 0 where it is the only one.
-int number_among(const SceneElement& element) {
-  int before = 0, after = 0;
+/// Number of an element among its siblings of the same name, from 1.
+int number_before(const SceneElement& element) {
+  int number = 1;
   for (const auto* e = element.PreviousSiblingElement(element.Name()); e != nullptr;
        e = e->PreviousSiblingElement(element.Name()))
-    ++before;
-  for (const auto* e = element.NextSiblingElement(element.Name()); e != nullptr;
-       e = e->NextSiblingElement(element.Name()))
-    ++after;
-  return before + after == 0 ? 0 : before + 1;
+    ++number;
+  return number;
 }
 
 std::string step_to(const SceneElement& element) {
-  const int number = number_among(element);
-  if (number == 0) return element.Name();
-  if (const char* name = element.Attribute("name")) return fmt::format("{}[@name='{}']", element.Name(), name);
-  if (const char* between = element.Attribute("between"))
-    return fmt::format("{}[@between='{}']", element.Name(), between);
-  return fmt::format("{}[{}]", element.Name(), number);
+  // The same path with and without siblings, so that the scenes of a comparison name the same element alike.
+  const int number = number_before(element);
+  const std::string kind = element.Name();
+  if (const char* name = element.Attribute("name"); name != nullptr && kind != "vessel")
+    return fmt::format("{}[@name='{}']", kind, name);
+  if (const char* between = element.Attribute("between")) return fmt::format("{}[@between='{}']", kind, between);
+  return number == 1 ? kind : fmt::format("{}[{}]", kind, number);
 }
 
 void flatten(const SceneElement& element, const std::string& path, FlatScene& flat) {
@@ -65,7 +63,7 @@ std::vector<SceneDifference> scene_differences(const std::vector<std::string>& s
   }
   std::vector<SceneDifference> differences;
   for (const std::string& path : paths) {
-    if (path.starts_with("output/")) continue;
+    if (path.starts_with("output/") && path != "output/@statistics" && path != "output/@peak_filter") continue;
     SceneDifference difference{path, {}};
     for (const FlatScene& flat : all) {
       const auto found = flat.values.find(path);

@@ -3,7 +3,7 @@ $cells << EOD
 {{{rows}}}EOD
 set encoding utf8
 set title 'Impulse by place on the unrolled surface'
-set xlabel 'along the waterline, to port [m]'
+set xlabel 'along the waterline, {{side}} [m]'
 set ylabel 'above the water [m]'
 set cblabel 'impulse [N s]'
 set border 3 lc rgb '#666666'

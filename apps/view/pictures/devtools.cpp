@@ -3,12 +3,24 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <cctype>
+
 #include "core/base/error.h"
 #include "core/output/file/base64.h"
 
 namespace nilas::view {
 
 namespace {
+
+/// The address of a file, with all bytes encoded that have a meaning in an address.
+std::string file_address(const std::filesystem::path& file) {
+  std::string address = "file://";
+  for (const unsigned char c : std::filesystem::absolute(file).string())
+    address += std::isalnum(c) != 0 || c == '/' || c == '.' || c == '-' || c == '_'
+                   ? std::string(1, static_cast<char>(c))
+                   : fmt::format("%{:02X}", c);
+  return address;
+}
 
 /// The descriptors of `--remote-debugging-pipe`.
 constexpr ChildEnds k_debugging{.reads = 3, .writes = 4};
@@ -55,7 +67,7 @@ DevTools::DevTools(const std::filesystem::path& browser, const std::filesystem::
 
 void DevTools::open(const std::filesystem::path& file) {
   events_.clear();
-  const Json answer = call("Page.navigate", {{"url", "file://" + file.string()}}, k_load_s);
+  const Json answer = call("Page.navigate", {{"url", file_address(file)}}, k_load_s);
   if (answer.contains("errorText"))
     throw FileError(fmt::format(
         "the browser cannot open {} ({}). A browser from snap reads files in your home folder only: let TMPDIR name a "

@@ -193,7 +193,10 @@ int PipedChild::finish(double limit_s) {
   to_child_ = -1;
   const auto start = std::chrono::steady_clock::now();
   int status = 0;
-  while (::waitpid(process_, &status, WNOHANG) != process_) {
+  for (pid_t ended = 0; ended != process_;) {
+    ended = ::waitpid(process_, &status, WNOHANG);
+    if (ended == process_) break;
+    if (ended < 0 && errno != EINTR) fail("has an end that the system does not tell");
     demand_no_stop();
     if (seconds_since(start) > limit_s) fail(fmt::format("has not ended after {:g} s", limit_s));
     std::this_thread::sleep_for(std::chrono::milliseconds(k_listen_ms));

@@ -71,6 +71,16 @@ TEST(SceneDifference, NamesTheAttributesThatDiffer) {
   EXPECT_EQ(differences[1].path, "body[@name='east']/@mass");
   EXPECT_TRUE(scene_differences({first, first}).empty());
   EXPECT_THROW(scene_differences({first, "<scene"}), InputError);
+  const std::string alone =
+      R"(<scene><body name="west" mass="1"/><ice><field a="1"/></ice><output statistics="0 5"/></scene>)";
+  const std::string beside =
+      R"(<scene><body name="west" mass="1"/><body name="east" mass="1"/><ice><field a="1"/><field a="2"/></ice>
+<output statistics="0 6"/></scene>)";
+  std::vector<std::string> paths;
+  for (const auto& difference : scene_differences({alone, beside})) paths.push_back(difference.path);
+  EXPECT_EQ(paths, (std::vector<std::string>{"output/@statistics", "body[@name='east']/@name",
+                                             "body[@name='east']/@mass", "ice/field[2]/@a"}))
+      << "an element that got a sibling is the same element, and a window changes the figures";
 }
 
 }  // namespace peak_cause_test

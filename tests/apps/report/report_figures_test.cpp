@@ -75,6 +75,8 @@ TEST(ReportFigures, ExceedanceCountsStepsAndPeaks) {
   std::iota(many.begin(), many.end(), 0.0);
   const Curve thin = step_exceedance("steps", many, 1, 100);
   EXPECT_LE(thin.x.size(), 100u);
+  const Curve damaged = step_exceedance("steps", {1, std::nan(""), 3}, 1);
+  EXPECT_EQ(damaged.x, (std::vector<double>{3, 1})) << "a cell that is no number does not count";
   EXPECT_EQ(thin.x.front(), 9999) << "the largest loads stay";
   EXPECT_NEAR(thin.y.front(), 0.01, 1e-12);
 }

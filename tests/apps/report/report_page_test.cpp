@@ -153,6 +153,20 @@ TEST_F(ReportPage, WhatWasNotCopiedIsNamed) {
   expect_refusal("run", 2, "no table of the folder holds a step");
 }
 
+/// Cut tables beside a whole summary, and a summary that lacks what single sections show.
+TEST_F(ReportPage, ACutTableIsNamedAndASectionMayLackItsKeys) {
+  EXPECT_TRUE(mentions(page_of("run"), "call: nilas view run.")) << "the path as it was given";
+  cut("run/vessel.csv", fs::file_size(in("run/vessel.csv")) / 2);
+  Json summary = Json::parse(read_text(in("run/summary.json")));
+  summary["tow_force"] = Json{{"mean_N", nullptr}};
+  summary["worst"] = 5;
+  folder.write("run/summary.json", summary.dump());
+  const std::string page = page_of("run");
+  EXPECT_TRUE(mentions(page, "The table vessel.csv: It ends at "));
+  EXPECT_TRUE(mentions(page, "The load of this run cannot be told"));
+  EXPECT_FALSE(mentions(page, "Nothing: every file"));
+}
+
 TEST_F(ReportPage, AFolderOfAnotherVersionSaysWhatItCannotRead) {
   std::string scene = read_text(in("run/scene.xml"));
   scene.replace(scene.find("<water "), 7, "<water taste=\"salty\" ");

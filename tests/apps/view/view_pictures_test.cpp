@@ -85,6 +85,8 @@ TEST_F(ViewPictures, TheSameCommandGivesTheSamePictures) {
 
 TEST_F(ViewPictures, WhatCannotBeDrawnIsRefused) {
   expect_refusal("--png 3", 2, "allowed: a time from 0 to 1 s");
+  expect_refusal("--png nan", 2, "--png: found nan; allowed: a finite number");
+  expect_refusal("--frames f --speed inf", 2, "--speed: found inf");
   expect_refusal("--png 1 --look color=heat", 2, "Allowed: plain, speed, thickness");
   expect_refusal("--png 1 --look t=3", 2, "has an option of its own");
   expect_refusal("--png 1 --size 10x10", 2, "--size: found 10x10");

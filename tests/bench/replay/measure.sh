@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Measures the replay of towing runs with about 100, 1000 and 10 000 floes: its size, what it costs the run, and how fast
 # the page is in a browser that draws by software.
-# usage: tests/bench/replay/replay.sh BENCH_REPLAY_COST PAGE_FOLDER OUT [SIZES]
+# usage: tests/bench/replay/measure.sh BENCH_REPLAY_COST PAGE_FOLDER OUT [SIZES]
 #   PAGE_FOLDER: the page with its packages, as the build has it in apps/view_page
 set -euo pipefail
 bench=$1 page=$2 out=$3
