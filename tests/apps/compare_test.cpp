@@ -191,7 +191,7 @@ TEST(Compare, ADiskThatFillsUpDuringTheRunsLeavesAPageAndCanGoOn) {
   folder.write("ship.xml", k_ship);
   ProgramResult result;
   {
-    const nilas::test::SizeLimit limit(20000);
+    const nilas::test::SizeLimit limit(60000);  // the page has about half of it, and tables of a run have more
     result = run_nilas("compare ship.xml --dt 0.01,0.005 --seeds 1 --out out", folder.path());
   }
   EXPECT_EQ(result.exit_code, 4) << result.out << result.err;

@@ -91,8 +91,17 @@ void tell(const WrittenReport& written, const ReportOptions& options) {
             << "Open it in a browser; it needs no other file and no network.\n";
 }
 
+/// A run compared with itself would seem to agree.
+void demand_different(const std::vector<std::string>& runs) {
+  for (std::size_t k = 0; k < runs.size(); ++k)
+    for (std::size_t j = 0; j < k; ++j)
+      if (fs::exists(runs[k]) && fs::exists(runs[j]) && fs::equivalent(runs[k], runs[j]))
+        throw InputError("the run " + runs[k] + " is named twice; allowed: different runs");
+}
+
 int write_report(const ReportOptions& options) {
   view::demand_page();
+  demand_different(options.runs);
   const bool compares = options.runs.size() > 1;
   output::PhaseProgress progress(std::cerr, output::phase_style(options.json, options.json), "reading the run");
   std::vector<std::unique_ptr<report::RunFindings>> runs;

@@ -52,11 +52,17 @@ std::string first_sentence(const Runs& runs, const std::vector<std::string>& nam
   std::string text = fmt::format(
       "The mean ice load on {} of {} is {}.", first.subject(), names.front(),
       mean_with_error(first.load->along.statistics.mean, first.load->along.half_width, first.load->error_at_least));
+  const auto warn = [&](std::size_t k) {
+    if (runs[k]->load->is_unsteady())
+      text += fmt::format(" The load of {} is not steady, so its error is too small.", names[k]);
+  };
+  warn(0);
   for (std::size_t k = 1; k < runs.size(); ++k) {
     if (runs[k]->load == nullptr) continue;
+    warn(k);
     const MeanDifference difference = difference_of(*runs[k]->load, *first.load);
     const std::string least = difference.at_least ? "at least " : "";
-    text += fmt::format(" That of {} is {} {}, {}.", names[k], output::force_text(std::abs(difference.value)),
+    text += fmt::format(" The mean of {} is {} {}, {}.", names[k], output::force_text(std::abs(difference.value)),
                         difference.value < 0 ? "lower" : "higher",
                         !difference.error ? "with an error that is not known"
                         : difference.is_told
@@ -119,8 +125,10 @@ Section scenes_section(const Runs& runs, const std::vector<std::string>& names) 
     for (const std::string& value : difference.values) row.push_back(value.empty() ? "absent" : value);
     table.rows.push_back(std::move(row));
   }
-  section.text.push_back(fmt::format("{} attributes of the resolved scenes differ. What a run stores does not count.",
-                                     differences.size()));
+  section.text.push_back(
+      fmt::format("{} of the resolved scenes {}. What a run stores does not count.",
+                  differences.size() == 1 ? "One attribute" : fmt::format("{} attributes", differences.size()),
+                  differences.size() == 1 ? "differs" : "differ"));
   section.tables.push_back(std::move(table));
   return section;
 }

@@ -24,6 +24,7 @@ std::string push_text(const RunFindings& found) {
 std::string sureness(const BodyLoad& load) {
   if (!load.along.half_width) return "; how exact this mean is cannot be said, since the window has too few steps";
   const std::string error = error_force(*load.along.half_width, load.along.statistics.mean);
+  if (load.is_unsteady()) return ", uncertain by more than " + error + " since it was not steady";
   if (load.error_at_least) return ", known to within " + error + " at best";
   if (load.chance_alone) return ", which chance alone makes uncertain by " + error;
   return ", known to within " + error;
@@ -56,6 +57,20 @@ std::string who_text(const RunFindings& found) {
                      k_percent * cause.share, cause.floes);
 }
 
+/// The load across the course in the step of the largest load, which may be the larger part.
+std::string across_text(const RunFindings& found) {
+  const RunData& run = found.run;
+  const RunTable& table = found.load->is_vessel() ? run.vessel : run.structures;
+  const std::string column = found.load->is_vessel() ? "ice_side_N" : found.load->name + "_ice_side_N";
+  if (!table.has(column)) return "";
+  const std::vector<double>& across = table[column];
+  for (std::size_t k = 0; k < across.size(); ++k)
+    if (std::abs(run.times()[k] - found.load->along.peak.raw_time) < 0.5 * run.step())
+      return fmt::format("In the same step the ice pushed with {} across the course.",
+                         output::force_text(std::abs(across[k])));
+  return "";
+}
+
 std::string cause_text(const RunFindings& found) {
   const PeakCause& cause = *found.cause;
   if (!found.body->is_vessel)
@@ -72,6 +87,14 @@ std::vector<std::string> limits(const RunFindings& found) {
   const double mean = load.along.statistics.mean;
   if (load.along.half_width && *load.along.half_width > std::abs(mean))
     text.emplace_back("The mean cannot be told from zero: its error is larger than itself. Run longer.");
+  if (load.is_unsteady())
+    text.push_back(fmt::format(
+        "The load is not steady: its mean was {} over the first half of the window and {} over the second. Either it "
+        "still changes or the window holds too little ice. Run longer.",
+        mean_with_error(load.along.halves->first.mean, load.along.halves->first.half_width, false),
+        mean_with_error(load.along.halves->second.mean, load.along.halves->second.half_width, false)));
+  text.push_back(
+      fmt::format("The window is {:.4g} s to {:.4g} s: {}.", load.window.from, load.window.to, load.window.reason));
   if (!load.peak_depends.empty()) text.push_back(load.peak_depends);
   text.emplace_back(
       "The error does not cover other ice of the same kind. Run other seeds (--seed) and compare the means.");
@@ -103,6 +126,7 @@ std::vector<std::string> headline(const RunFindings& found) {
     text.push_back(fmt::format("Over {:.4g} to {:.4g} s {}{}; {}.", window.from, window.to, push_text(found),
                                sureness(*found.load), largest(found)));
     if (found.cause) text.push_back(cause_text(found));
+    if (std::string across = across_text(found); !across.empty()) text.push_back(std::move(across));
     for (std::string& limit : limits(found)) text.push_back(std::move(limit));
   }
   if (found.run.summary.contains("tow_force")) text.push_back(tow_text(found));

@@ -12,6 +12,7 @@
 #include "apps/report/page/load_sections.h"
 #include "apps/report/page/numerics_sections.h"
 #include "apps/report/page/scene_section.h"
+#include "apps/report/page/words.h"
 #include "apps/report/templates.h"
 #include "apps/view/page.h"
 #include "core/output/text/fill_template.h"
@@ -122,6 +123,12 @@ ReportPage report_page(RunFindings& found, bool beside_run) {
   if (!address.empty()) {
     page.see = "To see the largest load in motion, call: nilas view " + quoted(found.run.folder.string()) +
                ". Then open " + address;
+    const double t = found.load->along.peak.raw_time;
+    const IceFrameFile* frame = frame_near(found, t);
+    if (frame != nullptr && std::abs(frame->t - t) > 0.5 * found.run.step())
+      page.see +=
+          fmt::format(". The replay has stored frames only, the nearest at {}, so the load itself may lie between two",
+                      time_text(frame->t, found.run.step()));
     if (beside_run && std::filesystem::exists(found.run.folder / "replay.html")) page.address = address;
   }
   found.run.attempt("The picture of the hull", [&] { page.hull = hull_picture(found); });

@@ -21,6 +21,10 @@ output::ComponentLoad component_from(const Json& json) {
   load.statistics.p99 = json.at("p99_N");
   load.statistics.max = std::abs(json.at("raw_peak_N").get<double>());
   if (!json.at("estimate_N").is_null()) load.half_width = json.at("estimate_N").get<double>();
+  if (json.contains("halves") && !json.at("halves").is_null()) {
+    const Json &mean = json.at("halves").at("mean_N"), &error = json.at("halves").at("estimate_N");
+    load.halves = output::HalfMeans{{mean.at(0), error.at(0)}, {mean.at(1), error.at(1)}};
+  }
   load.peak.filtered = json.at("filtered_peak_N");
   load.peak.filtered_time = json.at("filtered_peak_time_s");
   load.peak.raw = json.at("raw_peak_N");

@@ -15,7 +15,7 @@ namespace nilas::report {
 struct BodyLoad {
   std::string name;  ///< of a fixed body; empty: the vessel
   output::LoadWindow window;
-  output::ComponentLoad along, across;  ///< `halves` is not filled
+  output::ComponentLoad along, across;
   bool touched = false;
   bool error_at_least = false;  ///< the error of the mean is a lower bound
   bool told = false;            ///< the figures are those of summary.json
@@ -24,6 +24,8 @@ struct BodyLoad {
   std::vector<double> series;   ///< load along the course of every step [N]
 
   bool is_vessel() const { return name.empty(); }
+  /// Whether the means over the halves of the window differ by more than their errors.
+  bool is_unsteady() const { return along.halves && along.halves->differ(); }
 };
 
 /// The loads on the vessel and on all fixed bodies, the vessel first. `shapes`: lengths and the carriage's ramp, used
