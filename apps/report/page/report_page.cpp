@@ -121,14 +121,13 @@ ReportPage report_page(RunFindings& found, bool beside_run) {
     page.headline = {"The load of this run cannot be told. What is missing is named at the end of the page."};
   const std::string address = peak_address(found);
   if (!address.empty()) {
-    page.see = "To see the largest load in motion, call: nilas view " + quoted(found.run.folder.string()) +
-               ". Then open " + address;
     const double t = found.load->along.peak.raw_time;
     const IceFrameFile* frame = frame_near(found, t);
+    page.see = "To see the largest load in motion, call: nilas view " + quoted(found.run.folder.string()) + ". ";
     if (frame != nullptr && std::abs(frame->t - t) > 0.5 * found.run.step())
-      page.see +=
-          fmt::format(". The replay has stored frames only, the nearest at {}, so the load itself may lie between two",
-                      time_text(frame->t, found.run.step()));
+      page.see += fmt::format("It shows stored frames, of which the nearest is at {}. The load may lie between two. ",
+                              time_text(frame->t, found.run.step()));
+    page.see += "Then open " + address;
     if (beside_run && std::filesystem::exists(found.run.folder / "replay.html")) page.address = address;
   }
   found.run.attempt("The picture of the hull", [&] { page.hull = hull_picture(found); });
