@@ -1,7 +1,7 @@
 /** The page of `nilas report`, as the program writes it. */
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
-import { existsSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { cpSync, existsSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
 import { after, before, test } from 'node:test';
@@ -48,7 +48,8 @@ before(async () => {
   writeFileSync(join(folder, 'sheet.xml'), SCENE);
   nilas('run', 'sheet.xml', '--quiet', '--out', 'run');
   nilas('report', 'run');
-  nilas('report', 'run', 'run', '--out', 'both');
+  cpSync(join(folder, 'run'), join(folder, 'copy'), { recursive: true });
+  nilas('report', 'run', 'copy', '--out', 'both');
   browser = await startBrowser();
   report = await open('run/report.html');
 });
