@@ -54,7 +54,8 @@ TEST(SelfCheck, TheFpsoFitsTheRelationOfHaskindAndNewman) {
 /// a factor at long waves.
 TEST(SelfCheck, TheRelationUsesTheDepth) {
   const Database database = test::sphere();
-  const HaskindRatio& ratio = ratio_of(check_database(database), 2);
+  const SelfCheck check = check_database(database);
+  const HaskindRatio& ratio = ratio_of(check, 2);
   EXPECT_GT(ratio.least, 0.995);
   EXPECT_LT(ratio.largest, 1.001);
   Database deep = database;

@@ -141,7 +141,7 @@ check('the page has light and dark colours, and prints light ones', async () => 
 check('a comparison draws the curves of all runs over each other', async () => {
   const { page, faults, requests } = await open('both/comparison.html');
   const labels = await page.evaluate(() => [...document.querySelectorAll('#plot-load-along .u-label')].map((label) => label.textContent));
-  assert.equal(labels.filter((label) => label.startsWith('run')).length, 2);
+  assert.equal(labels.filter((label) => /^(run|copy)/.test(label)).length, 2);
   assert.deepEqual(faults, []);
   assert.deepEqual(requests, []);
   await page.close();
