@@ -55,6 +55,16 @@ double mean_speed(const Passage& p) {
 /// Fields of other seeds differ by less than 0.1 m/s; the trends are demanded with that margin.
 constexpr double k_margin = 0.1;
 
+/// On an even keel the thrust at the rate of the curve meets the resistance exactly: a step leaves the speed as it is.
+TEST(SpeedInIce, ThrustMeetsResistanceExactlyInOpenWater) {
+  const test::SceneRig::Files files{{"ship.csv", test::read_text(NILAS_SOURCE_DIR "/apps/scenes/icebreaker-91m.csv")}};
+  for (const double speed : {2.0, 3.0, 4.0, 5.0, 6.0}) {
+    test::SceneRig rig(scene_of({.concentration = 0, .speed = speed}, 1), 1, files);
+    rig.simulation.step();
+    EXPECT_NEAR(rig.bodies().v_GB[0].x(), speed, 1e-13 * speed);
+  }
+}
+
 /// In open water the ship trims by up to 0.02 rad while its thrust and its resistance settle. That tilts both, by 2e-4
 /// of their size, so the mean speed is that of the curve to 2e-4 m/s. Ice of 30, 50 and 70 % takes more and more of it.
 TEST(SpeedInIce, FallsWithTheConcentration) {
