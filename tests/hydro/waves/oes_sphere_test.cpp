@@ -55,8 +55,8 @@ TEST(OesSphere, RegularWavesAreWithinTheSpreadOfThePrograms) {
 
 /// In the wave of 11 s the response is 1.0071 by linear theory, and all five programs lie above: the lowest by 0.07 %.
 /// This does not rest on the excitation of the file: Haskind's relation gives it by the damping alone, in deep water
-/// |X|^2 = 2 rho g^3 B / w^3. Added mass and damping of the file are those of Hulme (1982) there, whose table has
-/// 0.8627 and 0.1816 at w^2 R/g = 0.1, 0.7938 and 0.2793 at 0.2, 0.7157 and 0.3254 at 0.3, over the displaced mass.
+/// |X|^2 = 2 rho g^3 B / w^3. That wave has w^2 R/g = 0.17. Added mass and damping of the file, over the displaced
+/// mass, agree with Hulme (1982) at 0.2 and 0.3.
 TEST(OesSphere, TheLongestWaveIsBelowAllProgramsByTheoryAsWell) {
   const std::string folder = std::string(NILAS_SOURCE_DIR) + "/tests/data/hydro/oes-sphere/";
   const test::Table heave(folder + "heave.csv"), published(folder + "responses.csv");

@@ -96,7 +96,7 @@ class Harmonics {
 /// The complex amplitudes of heave of D's origin per metre of each wave, at rising periods. The run lasts 22 of the
 /// longest, of which the last 12 are measured: neighbours of the file differ by a tenth, so they beat once in 11.
 /// With 100 steps in the shortest, half the step changed the amplitudes by less than 1e-4; the 60 here, of a scheme of
-/// second order, keep them within 3e-4.
+/// second order, keep them within 4e-4 if it holds its order.
 std::vector<std::complex<double>> heave_responses(const std::vector<double>& periods, double heading_deg,
                                                   const std::string& model) {
   constexpr int k_steps = 60, k_apart = 6;
