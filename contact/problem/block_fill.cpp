@@ -110,11 +110,12 @@ ColumnLists lower_of(const BlockFill& fill) {
 
 }  // namespace
 
-BlockFill block_fill(const std::vector<int>& row_start, const std::vector<int>& column) {
+BlockFill block_fill(const std::vector<int>& row_start, const std::vector<int>& column, DenseTail tail) {
   BlockFill fill;
   order(row_start, column, fill);
   find_fill(given_upper(row_start, column, fill), std::numeric_limits<std::size_t>::max(), fill);
-  choose_tail(fill);
+  fill.tail = fill.size();
+  if (tail == DenseTail::where_it_pays) choose_tail(fill);
   drop_tail(fill);
   fill.lower = lower_of(fill);
   return fill;

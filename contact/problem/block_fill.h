@@ -30,8 +30,12 @@ struct BlockFill {
   int size() const { return static_cast<int>(place.size()); }
 };
 
+/// Whether the last rows are taken as one dense matrix where that saves work.
+enum class DenseTail { where_it_pays, none };
+
 /// Returns order and fill of the matrix whose row i has blocks at `column[row_start[i] .. row_start[i + 1])`.
-BlockFill block_fill(const std::vector<int>& row_start, const std::vector<int>& column);
+BlockFill block_fill(const std::vector<int>& row_start, const std::vector<int>& column,
+                     DenseTail tail = DenseTail::where_it_pays);
 
 /// Whether elimination fills at most so many blocks right of the diagonal, the dense part's included. Repeated columns
 /// are allowed here.

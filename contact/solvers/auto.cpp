@@ -12,6 +12,7 @@
 #include "contact/problem/row_of.h"
 #include "contact/solvers/admm.h"
 #include "contact/solvers/apgd.h"
+#include "contact/solvers/bodies/body_ladder.h"
 #include "contact/solvers/continuation.h"
 #include "contact/solvers/ipm.h"
 #include "contact/solvers/newton.h"
@@ -200,6 +201,27 @@ std::vector<std::vector<int>> unsolved(const contact::PreparedProblem& prepared,
   return islands;
 }
 
+/// Solves an island on its bodies where that can be. The better impulses go into `whole.r`, iterations and history into
+/// `whole`. Returns whether it is solved.
+bool solved_on_bodies(const contact::ContactProblem& problem, const std::vector<int>& island,
+                      const contact::SolverSettings& shared, const Budget& budget, Log& log,
+                      contact::ContactSolution& whole) {
+  const contact::ContactProblem part_problem = contact::select(problem, island);
+  const contact::PreparedProblem part(part_problem);
+  if (!fits_bodies(part)) return false;
+  VecX r(contact::row_of(island.size()));
+  for (std::size_t i = 0; i < island.size(); ++i)
+    r.segment<3>(contact::row_of(i)) = whole.r.segment<3>(contact::row_of(island[i]));
+  const BodyOutcome found = solve_on_bodies(part, r, shared, budget);
+  for (std::size_t i = 0; i < island.size(); ++i)
+    whole.r.segment<3>(contact::row_of(island[i])) = found.r.segment<3>(contact::row_of(i));
+  if (found.interior > 0) log.add("interior point", "iterations", found.interior);
+  if (found.newton > 0) log.add("newton on bodies", "factorisations", found.newton);
+  whole.iterations += found.interior + found.newton;
+  whole.history.insert(whole.history.end(), found.history.begin(), found.history.end());
+  return found.has_converged;
+}
+
 /// Climbs for an island whose W is too large to be formed or factorised: more sweeps, then the projected gradient where
 /// it knows the law, the first with half of the iterations and the second with the rest. The better impulses go into
 /// `whole.r`, iterations into `whole`.
@@ -233,12 +255,15 @@ contact::SolveStatus solve_without_w(const contact::ContactProblem& problem, con
 }
 
 /// Returns the budget of the first sweeps of a problem with bodies.
-Budget first_rung(const contact::ContactProblem& problem, bool cold, const AutoSettings& settings,
+Budget first_rung(const contact::PreparedProblem& prepared, bool cold, const AutoSettings& settings,
                   const Budget& budget) {
-  if (problem.has_moments()) return budget;  // with moments the ladder has one rung
+  if (prepared.problem().has_moments()) return budget;  // with moments the ladder has one rung
+  const auto is_jam = [&](const auto& island) { return static_cast<int>(island.size()) >= settings.jam_contacts; };
+  const bool has_jam = known_to_admm_and_ipm(prepared.problem().law) &&
+                       std::any_of(prepared.islands().begin(), prepared.islands().end(), is_jam);
   int sweeps = settings.first_sweeps;
   // half of the iterations is left for the next rungs
-  if (!cold) sweeps = std::max(sweeps, std::min(settings.warm_sweeps, budget.iterations() / 2));
+  if (!cold && !has_jam) sweeps = std::max(sweeps, std::min(settings.warm_sweeps, budget.iterations() / 2));
   return budget.capped(sweeps);
 }
 
@@ -276,7 +301,7 @@ contact::ContactSolution AutoSolver::solve(const contact::PreparedProblem& prepa
   const Budget budget(settings_.shared);
   Log log;
   contact::ContactSolution swept =
-      NsgsSolver({.shared = running.shared}).solve(prepared, guess, first_rung(problem, cold, settings_, budget));
+      NsgsSolver({.shared = running.shared}).solve(prepared, guess, first_rung(prepared, cold, settings_, budget));
   log.add("nsgs", "sweeps", swept.iterations);
   if (swept.status == contact::SolveStatus::converged || problem.has_moments()) {
     describe(log, swept);
@@ -284,8 +309,12 @@ contact::ContactSolution AutoSolver::solve(const contact::PreparedProblem& prepa
   }
   const double swept_map = contact::measure(prepared, swept.r).law_map_m_s;
   if (guess_map < swept_map || (std::isnan(swept_map) && std::isfinite(guess_map))) swept.r = guess;
-  const Budget left = budget.after(swept.iterations);
   auto islands = unsolved(prepared, swept.r, running.shared.tolerance);
+  if (swept.r.allFinite())
+    std::erase_if(islands, [&](const auto& island) {
+      return solved_on_bodies(problem, island, running.shared, budget.after(swept.iterations), log, swept);
+    });
+  const Budget left = budget.after(swept.iterations);
   const auto first_large = std::stable_partition(islands.begin(), islands.end(),
                                                  [&](const auto& i) { return contact::is_reducible(problem, i); });
   contact::SolveStatus large = contact::SolveStatus::converged;

@@ -5,21 +5,25 @@
 ///   0  the guess itself, measured
 ///   1  nsgs, 20 sweeps: enough for loose contact, and the state of most contacts for the next rung. Problems with
 ///      bodies are swept on their velocities, without W; only what is left is reduced to W. With a guess 250 sweeps: a
-///      jam that moved little since the last step then seldom needs a factorisation
-///   2  from cold and for laws that admm knows, where those sweeps left more than a hundredth of the residual of no
+///      jam that moved little since the last step then seldom needs a factorisation.
+///      Where an island has 1500 contacts or more they are 20 in any case, since a jam seldom needs fewer than 250
+///   2  for laws with cones and problems with bodies: interior point, then newton, on the bodies (body_ladder.h),
+///   without
+///      W; in jams, with mass ratios and force limits this is what solves
+///   3  from cold and for laws that admm knows, where those sweeps left more than a hundredth of the residual of no
 ///      impulses and three contacts in ten stick, as in tall stacks: admm from no impulses, one factorisation, as long
 ///      as two iterations leave less than a fifth
-///   3  newton: little proximal weight for a local problem with a guess, else more
-///   4  nsgs, 500 sweeps from the best so far, then newton with more weight
-///   5  continuation in friction (continuation.h), for laws with friction
-///   6  ipm (laws coulomb, ccp, frictionless), then newton from there
+///   4  newton: little proximal weight for a local problem with a guess, else more
+///   5  nsgs, 500 sweeps from the best so far, then newton with more weight
+///   6  continuation in friction (continuation.h), for laws with friction
+///   7  ipm (laws coulomb, ccp, frictionless), then newton from there
 ///
-/// Islands whose W is too large to be formed or factorised (contact/problem/reducible.h) have rung 1, then half of the
-/// iterations left nsgs and the rest apgd, which does not know the law pyramid. Problems with rolling or spinning
-/// friction have rung 1 alone, without its limit. Every rung except 2 and 5, which start from no impulses, starts from
-/// the best impulses so far in law_map_m_s. The best of all rungs are returned. What decides is the residual, and for
-/// rung 2 the share that sticks. Cost: that of nsgs for loose fields, one to two dozen factorisations of the contacts
-/// that carry impulses for stacks, jams and mass ratios. Laws: all.
+/// Islands whose W is too large to be formed or factorised (contact/problem/reducible.h) have rungs 1 and 2, then half
+/// of the iterations left nsgs and the rest apgd, which does not know the law pyramid. Problems with rolling or
+/// spinning friction have rung 1 alone, without its limit. Every rung except 3 and 6, which start from no impulses,
+/// starts from the best impulses so far in law_map_m_s. The best of all rungs are returned. What decides is the
+/// residual, and for rung 3 the share that sticks. Cost: that of nsgs for loose fields, two to four dozen
+/// factorisations of the bodies for stacks, jams and mass ratios. Laws: all.
 ///
 /// Nominal tolerances: 1e-6 m/s in simulations, 1e-10 m/s as a reference. `message` names each rung that was used, on
 /// how many islands, and the most iterations that one island took of it.
@@ -31,13 +35,14 @@ struct AutoSettings {
   contact::SolverSettings shared;  ///< max_iterations counts sweeps and factorisations of an island together
   int first_sweeps = 20;
   int warm_sweeps = 250;          ///< sweeps of rung 1 with bodies and a guess, at most half of all iterations
-  double stiff_share = 0.01;      ///< share of the residual of no impulses above which an island goes to rung 2 ...
+  int jam_contacts = 1500;        ///< contacts of an island from which on long sweeps seldom suffice and are left out
+  double stiff_share = 0.01;      ///< share of the residual of no impulses above which an island goes to rung 3 ...
   double sticking_share = 0.3;    ///< ... where at least this share of its contacts sticks
   double stiff_least_fall = 0.2;  ///< AdmmSettings::least_fall there
   int more_sweeps = 500;
-  int first_factorisations = 80;   ///< factorisations of newton in rung 3 and after ipm
-  int more_factorisations = 400;   ///< factorisations of newton in rung 4
-  int path_factorisations = 1500;  ///< factorisations of newton for each friction of rung 5
+  int first_factorisations = 80;   ///< factorisations of newton in rung 4 and after ipm
+  int more_factorisations = 400;   ///< factorisations of newton in rung 5
+  int path_factorisations = 1500;  ///< factorisations of newton for each friction of rung 6
   int ipm_factorisations = 200;
 };
 

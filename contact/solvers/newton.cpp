@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/solvers/newton/newton_system.h"
+#include "contact/problem/row_of.h"
+#include "contact/solvers/newton/delassus_system.h"
 #include "contact/solvers/shared/best_impulses.h"
 #include "contact/solvers/shared/mass_scaled.h"
 #include "core/base/error.h"
@@ -86,20 +87,15 @@ InnerEnd solve_inner(NewtonSystem& system, const NewtonSettings& settings, doubl
 
 }  // namespace
 
-contact::ContactSolution newton_island(const contact::LocalProblem& island, const VecX& guess,
-                                       const NewtonSettings& settings, const Budget& budget) {
-  if (const auto immovable = solve_immovable(island)) return *immovable;
-  NewtonSystem system(island, settings.order_free);
+contact::ContactSolution newton_on(NewtonSystem& system, const VecX& guess, const NewtonSettings& settings,
+                                   const Budget& budget) {
   BestImpulses best(settings.shared.tolerance, budget.capped(settings.max_factorisations), {k_no_window, 1});
-  const auto offer = [&](const VecX& scaled) {
-    const VecX r = system.impulses(scaled);
-    best.offer(r, settings.order_free ? system.law_map(scaled) : contact::measure(island, r).law_map_m_s);
-  };
+  const auto offer = [&](const VecX& scaled) { best.offer(system.impulses(scaled), system.residual(scaled)); };
   const auto note = [&](const VecX& scaled) {
-    if (settings.shared.keep_history) best.note(contact::measure(island, system.impulses(scaled)).law_map_m_s);
+    if (settings.shared.keep_history) best.note(system.residual(scaled));
   };
 
-  VecX r = guess.size() > 0 ? system.scaled(guess) : VecX(VecX::Zero(island.q.size()));
+  VecX r = guess.size() > 0 ? system.scaled(guess) : VecX(VecX::Zero(contact::row_of(system.num_contacts())));
   offer(r);
   if (!best.has_any()) offer(r.setZero());  // the guess is beyond all numbers
   if (!best.has_any()) best.fail("newton: even impulses of zero have a residual beyond all numbers");
@@ -133,8 +129,15 @@ contact::ContactSolution newton_island(const contact::LocalProblem& island, cons
     }
   }
   contact::ContactSolution solution = std::move(best).solution();
-  if (solution.r.size() == 0) solution.r = VecX::Zero(island.q.size());
+  if (solution.r.size() == 0) solution.r = VecX::Zero(contact::row_of(system.num_contacts()));
   return solution;
+}
+
+contact::ContactSolution newton_island(const contact::LocalProblem& island, const VecX& guess,
+                                       const NewtonSettings& settings, const Budget& budget) {
+  if (const auto immovable = solve_immovable(island)) return *immovable;
+  DelassusSystem system(island, settings.order_free);
+  return newton_on(system, guess, settings, budget);
 }
 
 contact::ContactSolution NewtonSolver::solve_island(const contact::LocalProblem& island, const VecX& guess,

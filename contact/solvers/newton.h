@@ -6,17 +6,18 @@
 ///           r <- r + t dr,  t = 1, 1/2, 1/4, ... until |F| falls
 ///
 /// F is the map of law_slopes.h in units of sqrt(J), d_a = (trace(W_aa) + c_a)/3, and the systems are those of
-/// newton_system.h. The term a d (r - r_0) makes the rank-deficient W of hyperstatic contact regular and vanishes at
-/// the solution: where Newton gets caught at a kink, the neighbouring problem of a larger a does not, and its solution
-/// lies nearer. Undamped steps cross kinks that a line search stops at: they come first. Cost per iteration: one sparse
-/// factorisation of the contacts that carry impulses (about 1 ms for 2000 contacts of a loose ice field, 15 ms for 4600
-/// of a jam). Use it for accuracy, stacks, hyperstatic contact and mass ratios, with a few sweeps of nsgs before it
-/// when started cold. Sources: Alart & Curnier 1991; Rockafellar 1976 (proximal point); Qi & Sun 1993 (semismooth
-/// Newton); Acary, Bremond, Huber 2018 (the two together).
+/// newton/newton_system.h. The term a d (r - r_0) makes the rank-deficient W of hyperstatic contact regular and
+/// vanishes at the solution: where Newton gets caught at a kink, the neighbouring problem of a larger a does not, and
+/// its solution lies nearer. Undamped steps cross kinks that a line search stops at: they come first. Cost per
+/// iteration: one sparse factorisation of the contacts that carry impulses (about 1 ms for 2000 contacts of a loose ice
+/// field, 15 ms for 4600 of a jam). Use it for accuracy, stacks, hyperstatic contact and mass ratios, with a few sweeps
+/// of nsgs before it when started cold. Sources: Alart & Curnier 1991; Rockafellar 1976 (proximal point); Qi & Sun 1993
+/// (semismooth Newton); Acary, Bremond, Huber 2018 (the two together).
 ///
 /// Stall: no window. It has stalled when |F| is rounding, or when three times even the largest a did not help.
 ///
 /// Laws: all. Nominal tolerances: 1e-6 m/s in simulations, 1e-10 m/s as a reference. Islands are solved apart.
+#include "contact/solvers/newton/newton_system.h"
 #include "contact/solvers/solver.h"
 
 namespace nilas::solvers {
@@ -31,7 +32,7 @@ struct NewtonSettings {
   int free_steps = 10;               ///< undamped steps in a row that may pass without |F| falling to half
   int halvings = 10;                 ///< halvings of t before the inner solve ends
   int max_factorisations = 400;      ///< most factorisations per island
-  bool order_free = false;           ///< order-free sums and steps, see newton_system.h
+  bool order_free = false;           ///< order-free sums and steps, see newton/delassus_system.h
 };
 
 class NewtonSolver final : public IslandSolver {
@@ -51,5 +52,9 @@ class NewtonSolver final : public IslandSolver {
 /// The same for one island, as a stage of a solve that runs.
 contact::ContactSolution newton_island(const contact::LocalProblem& island, const VecX& guess,
                                        const NewtonSettings& settings, const Budget& budget);
+
+/// The method on systems of either form. `guess`: 3 nc impulses, or empty.
+contact::ContactSolution newton_on(NewtonSystem& system, const VecX& guess, const NewtonSettings& settings,
+                                   const Budget& budget);
 
 }  // namespace nilas::solvers

@@ -2,18 +2,13 @@
 
 #include <cstring>
 
+#include "contact/solvers/linear/wide_clones.h"
+
 namespace nilas::solvers {
 
 namespace {
 
 using Four = double __attribute__((vector_size(32)));
-
-// The same operations in the same order in wider registers where the machine has them: the bits do not depend on it.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
-#define NILAS_WIDE_CLONES __attribute__((target_clones("avx2", "default")))
-#else
-#define NILAS_WIDE_CLONES
-#endif
 
 }  // namespace
 

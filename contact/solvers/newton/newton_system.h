@@ -7,59 +7,55 @@
 ///   F(r', u') = 0 where the law holds (law_slopes.h), with U = dF/du', R = dF/dr'
 ///   (U (W' + a I) + R) dr' = -F        a: proximal weight
 ///
-/// Rows of open contacts say dr' = -r' and are taken out, so the matrix has only contacts that carry something. W' is
-/// that of the problem as stored, asymmetric or not. The plan of the factors is kept while the contacts that are not
-/// open stay among those that it was made for.
-///
-/// `order_free`: sums over contacts are OrderFreeSums and steps are those of rounded_solve.h, so that the numbers given
-/// do not depend on the order of contacts and, but for the sign, on a mirror.
-#include "contact/problem/local_problem.h"
-#include "contact/solvers/linear/block_lu.h"
+/// How W' acts and how a system is solved is left to the two forms: between contacts (delassus_system.h) and on the
+/// bodies (bodies/body_system.h).
+#include <vector>
+
+#include "contact/problem/contact_coefficients.h"
 #include "contact/solvers/shared/law_slopes.h"
 
 namespace nilas::solvers {
 
 class NewtonSystem {
  public:
-  /// `island`: every contact of it can move, or has compliance. It must outlive the system.
-  explicit NewtonSystem(const contact::LocalProblem& island, bool order_free = false);
+  virtual ~NewtonSystem() = default;
 
+  int num_contacts() const { return static_cast<int>(scale_.size()); }
   VecX scaled(const VecX& r) const;           ///< r' of r
   VecX impulses(const VecX& scaled_r) const;  ///< r of r'
-  VecX product(const VecX& r) const;          ///< W' r'
   VecX velocities(const VecX& r) const { return product(r) + q_; }
+
+  /// W' r'
+  virtual VecX product(const VecX& r) const = 0;
+  /// Newton's step from the last place linearised. False when the matrix is singular.
+  virtual bool step(double weight, const VecX& r, VecX& dr) = 0;
+  /// Largest residual of any contact as the solve judges it [m/s]; `r`: scaled.
+  virtual double residual(const VecX& r) const { return law_map(r); }
 
   /// Sets the place where the map is linearised; `u`: velocities, a proximal term included. Returns |F|.
   double linearise(const VecX& r, const VecX& u);
   /// |F| at another place.
   double map_size(const VecX& r, const VecX& u) const;
-  /// Largest residual of any contact [m/s]; `r`: scaled.
+
+ protected:
+  /// `d`: d_a. `q`: q of the problem, not scaled. `order_free`: |F| is summed so that the order does not matter.
+  NewtonSystem(const contact::ContactCoefficients& law, const std::vector<double>& d, const VecX& q, bool order_free);
+
   double law_map(const VecX& r) const;
-  /// Newton's step from the last place linearised. False when the matrix is singular.
-  bool step(double weight, const VecX& r, VecX& dr);
+  double scale(int a) const { return scale_[a]; }  ///< e_a
+  const std::vector<LawSlopes>& slopes() const { return slopes_; }
+  bool is_order_free() const { return order_free_; }
 
  private:
-  LawSlopes slopes(int a, const VecX& r, const VecX& u) const;
-  Vec3 row_product(int a, const VecX& r) const;
-  Vec3 order_free_row_product(int a, const VecX& r) const;
+  LawSlopes slopes_at(int a, const VecX& r, const VecX& u) const;
   double length(const std::vector<double>& squares) const;
-  void choose_contacts();
-  void plan();
-  void fill(double weight);
 
-  const contact::LocalProblem& island_;
+  const contact::ContactCoefficients& law_;
   bool order_free_;
-  std::vector<double> scale_;  ///< e_a
-  std::vector<Mat3> block_;    ///< blocks of W'
+  std::vector<double> scale_;
   VecX q_;
   std::vector<double> cap_;
   std::vector<LawSlopes> slopes_;
-
-  std::vector<int> planned_;                    ///< contacts in the matrix
-  std::vector<int> place_;                      ///< place of each contact in the matrix, -1: not in it
-  std::vector<int> row_start_, column_, from_;  ///< pattern of the matrix; from_: place in block_ of each of its blocks
-  std::vector<Mat3> matrix_;
-  BlockLu factors_;
 };
 
 }  // namespace nilas::solvers

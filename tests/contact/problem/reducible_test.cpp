@@ -76,7 +76,12 @@ TEST(Reducible, AutoSolvesWhatIsNotAndNewtonSaysSo) {
   const ContactSolution solution = solve("auto");
   EXPECT_EQ(solution.status, SolveStatus::converged) << solution.message;
   EXPECT_LE(measure(problem, solution.r).natural_map_m_s, 1e-8);
-  EXPECT_NE(solution.message.find("more nsgs"), std::string::npos) << solution.message;
+  EXPECT_NE(solution.message.find("interior point"), std::string::npos) << solution.message;
+  ContactProblem on_pyramids = problem;  // a law that is not solved on the bodies
+  on_pyramids.law = Law::pyramid;
+  const ContactSolution swept =
+      find_solver("auto").make({.tolerance = 1e-8, .max_iterations = 2000})->solve(on_pyramids, {});
+  EXPECT_NE(swept.message.find("more nsgs"), std::string::npos) << swept.message;
   const ContactSolution refused = solve("newton");
   EXPECT_EQ(refused.status, SolveStatus::numerical_error);
   EXPECT_NE(refused.message.find("3000 contacts"), std::string::npos) << refused.message;

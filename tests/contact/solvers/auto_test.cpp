@@ -41,16 +41,22 @@ TEST(Auto, SaysWhatItUsed) {
 }
 
 /// Sweeps hardly move tall stacks, where all contacts stick; most of a raft slips. A guess of zeros carries no
-/// information.
+/// information. A local problem has no bodies to work on.
 TEST(Auto, TakesAdmmForStiffStacksFromCold) {
-  const contact::ContactProblem stack = test::box_stack(std::vector<double>(12, 5.0), 0.4);
+  const contact::LocalProblem stack = contact::reduce(test::box_stack(std::vector<double>(12, 5.0), 0.4));
   const contact::ContactSolution cold = solve(stack);
   EXPECT_EQ(cold.status, contact::SolveStatus::converged);
   EXPECT_NE(cold.message.find("admm"), std::string::npos) << cold.message;
   EXPECT_EQ(cold.message.find("newton"), std::string::npos) << cold.message;
   EXPECT_EQ(solve(stack, VecX::Zero(cold.r.size())).message, cold.message);
-  const contact::ContactSolution raft = solve(test::raft(6, 0.3, 1, 1));
+  const contact::ContactSolution raft = solve(contact::reduce(test::raft(6, 0.3, 1, 1)));
   EXPECT_EQ(raft.message.find("admm"), std::string::npos) << raft.message;
+}
+
+TEST(Auto, GoesToTheBodiesWhereSweepsDoNotSuffice) {
+  const contact::ContactSolution stack = solve(test::box_stack(std::vector<double>(12, 5.0), 0.4));
+  EXPECT_EQ(stack.status, contact::SolveStatus::converged);
+  EXPECT_NE(stack.message.find("interior point"), std::string::npos) << stack.message;
 }
 
 TEST(Auto, StartsFromItsOwnSolutionWithoutAnIteration) {
@@ -64,9 +70,9 @@ TEST(Auto, StartsFromItsOwnSolutionWithoutAnIteration) {
 }
 
 TEST(Auto, WarmStartSavesIterations) {
-  contact::ContactProblem problem = test::raft(10, 0.3, 0.9, 3);
+  contact::LocalProblem problem = contact::reduce(test::raft(10, 0.3, 0.9, 3));
   const VecX r = solve(problem, {}, 1e-8).r;
-  problem.f *= 1.001;
+  problem.q *= 1.001;
   EXPECT_LT(solve(problem, r, 1e-8).iterations, solve(problem, {}, 1e-8).iterations);
 }
 

@@ -1,0 +1,25 @@
+#pragma once
+/// The rungs of auto that work on the bodies of one island: interior point, then Newton from where it ends.
+#include "contact/problem/prepared_problem.h"
+#include "contact/solvers/shared/budget.h"
+
+namespace nilas::solvers {
+
+/// Whether an island can be solved on its bodies: laws coulomb, ccp and frictionless, masses that have a root, numbers
+/// that are finite, and no contact whose two sides cannot move.
+bool fits_bodies(const contact::PreparedProblem& island);
+
+struct BodyOutcome {
+  VecX r;                       ///< the best impulses, those given included
+  double law_map_m_s = 0;       ///< their residual
+  int interior = 0;             ///< iterations of the interior point
+  int newton = 0;               ///< factorisations of Newton
+  std::vector<double> history;  ///< residual after each of them, when asked for [m/s]
+  bool has_converged = false;
+};
+
+/// `guess`: 3 nc impulses, or empty. `island` fits_bodies.
+BodyOutcome solve_on_bodies(const contact::PreparedProblem& island, const VecX& guess,
+                            const contact::SolverSettings& settings, const Budget& budget);
+
+}  // namespace nilas::solvers

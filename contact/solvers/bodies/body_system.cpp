@@ -1,0 +1,83 @@
+#include "contact/solvers/bodies/body_system.h"
+
+#include "contact/problem/row_of.h"
+
+namespace nilas::solvers {
+
+namespace {
+
+std::vector<double> inverse_masses_of_bodies(const contact::PreparedProblem& island) {
+  std::vector<double> d = island.inverse_mass_scales();
+  for (std::size_t c = 0; c < d.size(); ++c) d[c] += island.problem().compliance[c] / 3;
+  return d;
+}
+
+/// J z_free + w
+VecX free_contact_velocities(const BodyIsland& bodies) {
+  ContactVectors u(static_cast<std::size_t>(bodies.num_contacts()));
+  bodies.relative_velocities(bodies.free_motion(), u);
+  return by_contact(u) + by_contact(bodies.prescribed());
+}
+
+}  // namespace
+
+BodySystem::BodySystem(const contact::PreparedProblem& island, const BodyIsland& bodies, const NodePlan& plan)
+    : NewtonSystem(island.problem(), inverse_masses_of_bodies(island), free_contact_velocities(bodies), false),
+      island_(island),
+      bodies_(bodies),
+      lu_(bodies, plan) {}
+
+/// z += sum J'^T r'
+void BodySystem::moved(const VecX& r, NodeVector& z) const {
+  ContactVectors scaled(static_cast<std::size_t>(num_contacts()));
+  for (int c = 0; c < num_contacts(); ++c) scaled.set(c, scale(c) * r.segment<3>(contact::row_of(c)));
+  bodies_.add_impulses(scaled, z);
+}
+
+/// J' z
+VecX BodySystem::seen(const NodeVector& z) const {
+  ContactVectors u(static_cast<std::size_t>(num_contacts()));
+  bodies_.relative_velocities(z, u);
+  VecX out(contact::row_of(num_contacts()));
+  for (int c = 0; c < num_contacts(); ++c) out.segment<3>(contact::row_of(c)) = scale(c) * u.at(c);
+  return out;
+}
+
+VecX BodySystem::product(const VecX& r) const {
+  NodeVector z(static_cast<std::size_t>(bodies_.num_nodes()));
+  moved(r, z);
+  VecX out = seen(z);
+  for (int c = 0; c < num_contacts(); ++c)
+    out[contact::row_of(c)] += scale(c) * scale(c) * island_.problem().compliance[c] * r[contact::row_of(c)];
+  return out;
+}
+
+bool BodySystem::step(double weight, const VecX& r, VecX& dr) {
+  const auto& laws = slopes();
+  std::vector<Mat3> g(laws.size(), Mat3::Zero()), by_motion(laws.size(), Mat3::Zero());
+  VecX push(r.size());  // impulses that the step has without moving anything
+  for (int c = 0; c < num_contacts(); ++c) {
+    const Eigen::Index row = contact::row_of(c);
+    if (laws[c].open) {
+      push.segment<3>(row) = -r.segment<3>(row);
+      continue;
+    }
+    Mat3 k = weight * laws[c].by_velocity + laws[c].by_impulse;
+    k.col(0) += scale(c) * scale(c) * island_.problem().compliance[c] * laws[c].by_velocity.col(0);
+    const Mat3 inverse = k.inverse();
+    by_motion[c] = inverse * laws[c].by_velocity;
+    push.segment<3>(row) = -inverse * laws[c].value;
+    g[c] = scale(c) * scale(c) * by_motion[c];
+  }
+  if (!push.allFinite() || !lu_.factor(g)) return false;
+  NodeVector z(static_cast<std::size_t>(bodies_.num_nodes()));
+  moved(push, z);
+  lu_.solve(z);
+  const VecX motion = seen(z);
+  dr = push;
+  for (int c = 0; c < num_contacts(); ++c)
+    if (!laws[c].open) dr.segment<3>(contact::row_of(c)) -= by_motion[c] * motion.segment<3>(contact::row_of(c));
+  return dr.allFinite();
+}
+
+}  // namespace nilas::solvers

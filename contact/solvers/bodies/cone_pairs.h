@@ -1,0 +1,50 @@
+#pragma once
+/// Arithmetic on one pair (x, y) of points per contact, each inside the cone {x_0 >= |x_T|}: its scaling by Nesterov
+/// and Todd, the steps of an interior-point method in it, and the way to the boundary. The formulas are those of
+/// second_order_cone.h, with T = b (2 p p^T - J), T^-1 = (2 Jp Jp^T - J)/b, Q = T^2, l = T y = T^-1 x. They are written
+/// for all contacts at once, so that the loops fill registers.
+///
+/// A contact without friction is the half line x_0 >= 0, carried as x_T = y_T = 0: all formulas then keep it.
+#include "contact/solvers/bodies/body_island.h"
+#include "contact/solvers/bodies/node_cholesky.h"
+
+namespace nilas::solvers {
+
+struct ConeScaling {
+  ContactVectors p, scaled;  ///< p and l
+  std::vector<double> b;
+  ContactMatrices squared;  ///< Q
+
+  explicit ConeScaling(std::size_t num_contacts)
+      : p(num_contacts), scaled(num_contacts), b(num_contacts), squared(num_contacts) {}
+};
+
+/// Returns whether all points lie inside their cones; where one does not, the scaling is not usable.
+bool scale(const ContactVectors& x, const ContactVectors& y, ConeScaling& scaling);
+
+/// out = T a
+void times(const ConeScaling& scaling, const ContactVectors& a, ContactVectors& out);
+/// out = T^-1 a
+void divide(const ConeScaling& scaling, const ContactVectors& a, ContactVectors& out);
+/// out = T (g + T a)
+void from_dual(const ConeScaling& scaling, const ContactVectors& g, const ContactVectors& a, ContactVectors& out);
+/// out = T (g - T a)
+void to_primal(const ConeScaling& scaling, const ContactVectors& g, const ContactVectors& a, ContactVectors& out);
+/// g = l \ (target e - l o l - (T^-1 dx) o (T dy)): the right side that aims at x o y = target e to second order.
+void corrected(const ConeScaling& scaling, const ContactVectors& dx, const ContactVectors& dy, double target,
+               ContactVectors& g);
+
+/// g += l \ (P(v) - v), v = (T^-1 (x + t dx)) o (T (y + t dy)): what brings the products after a step t back between
+/// `least` and `most` (Gondzio 1996). P clips the two eigenvalues of each cone.
+void recentre(const ConeScaling& scaling, const ContactVectors& dx, const ContactVectors& dy, double t, double least,
+              double most, ContactVectors& g);
+
+/// Largest t <= 1 with x + t dx inside all cones.
+double longest_step(const ContactVectors& x, const ContactVectors& dx);
+/// sum of (x + t dx) . (y + t dy)
+double gap_after(const ContactVectors& x, const ContactVectors& y, const ContactVectors& dx, const ContactVectors& dy,
+                 double t);
+/// x += t dx
+void move(const ContactVectors& dx, double t, ContactVectors& x);
+
+}  // namespace nilas::solvers

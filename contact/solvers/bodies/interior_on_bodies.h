@@ -1,0 +1,100 @@
+#pragma once
+/// Interior point on the bodies of one island, with De Saxce's shift taken from the iterate before or with a part of
+/// its slope.
+///
+/// Per contact, in cones of slope one (x = S^-1 r, S = diag(1, mu, mu), or diag(1/mu, 1, 1) for mu > 1), with a slack s
+/// and a multiplier m of the limit k of x_0 where there is one, and the compliance c:
+///   y = S (J z + w + c r + mu |u_T| n) + m e,   z = z_free + sum J^T S x,   x_0 + s = k
+///   x o y = t e,   s m = t,   t -> 0,   x and y in {x_0 >= |x_T|},   s, m >= 0
+/// Predictor and corrector of Mehrotra with the scaling T of Nesterov and Todd (cone_pairs.h). mu |u_T| n is a constant
+/// of each step: the law is exact at the end, and the systems are symmetric. Eliminating dx and dy leaves
+///   (1 + sum J^T S Q' S J) dz = sum J^T S Q' (T^-1 g + r_y),   Q' = (T^-2 + C)^-1,   C = diag(S_0^2 c + m/s, 0, 0)
+/// with r_y what y is off, g the right side in the scaled point, and 6 x 6 blocks of the bodies (node_cholesky.h).
+///
+/// One factorisation per iteration and two to four solves: Gondzio's corrections lengthen short steps. A jam of 966
+/// floes and friction 0.15 takes some 12 iterations to 1e-4 m/s and 20 to 1e-5 m/s, with or without a guess. u and z
+/// move with the steps, so that r_y keeps the digits of numbers near the end of a cone; r_z = z - z_free - sum J^T S x,
+/// what rounding leaves, enters the next step, and residuals are those of the velocities that the impulses give.
+/// Above a friction of about 0.2 a jam needs the slope of the shift in its steps, and with it the LU factors of
+/// node_lu.h. Near 1e-7 of the speeds rounding ends progress, since a contact between two states has the root of its
+/// gap for a residual: Newton goes on from there (body_system.h), and finds its active set in few steps, because an
+/// interior point is centred among redundant contacts.
+///
+/// Sources: De Saxce, Feng 1998; Nesterov, Todd 1998; Mehrotra 1992; Gondzio 1996; Acary, Cadoux, Lemarechal, Malick
+/// 2011. Laws: coulomb, ccp and frictionless.
+#include <optional>
+
+#include "contact/solvers/bodies/cone_pairs.h"
+#include "contact/solvers/bodies/node_lu.h"
+#include "contact/solvers/shared/budget.h"
+
+namespace nilas::solvers {
+
+/// How a step takes the shift mu |u_T|: as it is, or with its slope.
+enum class Shift { lagged, differentiated };
+
+class InteriorOnBodies {
+ public:
+  /// All must outlive this.
+  InteriorOnBodies(const contact::PreparedProblem& island, const BodyIsland& bodies, const NodePlan& plan);
+
+  struct Outcome {
+    VecX r;  ///< the impulses of the least residual seen
+    double law_map_m_s = 0;
+    int iterations = 0;
+    std::vector<double> history;  ///< the residual at each iterate [m/s]
+  };
+  /// Runs from impulses (any, moved inside the cones first) until the residual is at most `tolerance` [m/s], it has not
+  /// halved for some iterations, rounding ends it, or the budget is used up.
+  Outcome run(const VecX& start, double tolerance, const Budget& budget, Shift shift = Shift::lagged);
+
+ private:
+  struct Direction {
+    ContactVectors x, y, u;  ///< u without what compliance adds
+    NodeVector z;
+    std::vector<double> slack, multiplier;  ///< of capped_
+    Direction(std::size_t contacts, std::size_t limits, std::size_t nodes)
+        : x(contacts), y(contacts), u(contacts), z(nodes), slack(limits), multiplier(limits) {}
+  };
+  void begin(const VecX& start);
+  void find_motion(NodeVector& z, ContactVectors& u);
+  double find_map();
+  void find_off();
+  VecX impulses() const;
+  bool factor();
+  void find_direction(Direction& d);
+  double longest(const Direction& d) const;
+  double gap(const Direction& d, double t) const;
+  void aim(const Direction& predictor, double target);
+  double correct(Direction& d, double target);
+  void move_by(const Direction& d, double t);
+  double stiffness(std::size_t c) const;
+  struct Yield {
+    Vec3 dx;
+    double dy_n;
+  };
+  Yield yielding(std::size_t c, const Vec3& a, double sign) const;
+
+  const contact::PreparedProblem& island_;
+  const contact::ContactProblem& problem_;
+  const BodyIsland& bodies_;
+  const NodePlan& plan_;
+  NodeCholesky cholesky_;
+  std::optional<NodeLu> lu_;  ///< made when first needed
+  Shift shift_ = Shift::lagged;
+  std::vector<double> along_1_, along_2_;         ///< slope of the shift, S_0 mu u_T/|u_T|
+  std::size_t count_;                             ///< contacts
+  std::vector<double> friction_;                  ///< mu, 0 for the law frictionless
+  std::vector<double> slope_n_, slope_t_;         ///< S
+  std::vector<int> capped_;                       ///< contacts with a limit
+  std::vector<int> limit_of_;                     ///< place of each contact in capped_, -1: no limit
+  std::vector<int> soft_;                         ///< contacts with a limit or compliance
+  std::vector<double> cap_, slack_, multiplier_;  ///< of capped_
+  ContactVectors x_, y_, u_, r_y_, g_, work_, other_;
+  std::vector<double> line_;  ///< right side of s m, of capped_
+  ConeScaling scaling_;
+  ContactMatrices g_matrix_;
+  NodeVector z_, r_z_;
+};
+
+}  // namespace nilas::solvers
