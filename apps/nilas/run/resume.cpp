@@ -1,4 +1,4 @@
-#include "apps/nilas/commands/resume.h"
+#include "apps/nilas/run/resume.h"
 
 #include <fmt/format.h>
 

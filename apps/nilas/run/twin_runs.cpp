@@ -1,4 +1,4 @@
-#include "apps/nilas/commands/twin_runs.h"
+#include "apps/nilas/run/twin_runs.h"
 
 #include <exception>
 

@@ -9,11 +9,11 @@
 #include <optional>
 
 #include "apps/nilas/commands/commands.h"
-#include "apps/nilas/commands/open_water.h"
 #include "apps/nilas/commands/program_identity.h"
-#include "apps/nilas/commands/resume.h"
-#include "apps/nilas/commands/scene_flags.h"
-#include "apps/nilas/commands/twin_runs.h"
+#include "apps/nilas/run/open_water.h"
+#include "apps/nilas/run/resume.h"
+#include "apps/nilas/run/run_options.h"
+#include "apps/nilas/run/twin_runs.h"
 #include "apps/view/live_server.h"
 #include "core/base/error.h"
 #include "core/base/machine.h"
@@ -34,16 +34,6 @@ namespace {
 std::filesystem::path default_folder(const scene::Scene& scene) {
   return scene.output.folder.empty() ? output::dated_folder(scene.name) : std::filesystem::path(scene.output.folder);
 }
-
-struct RunOptions {
-  SceneFlags scene;
-  std::string out, resume, log_level = "info";
-  int threads = 1, twins = 0;
-  bool force = false, json = false, quiet = false, open_water = false;
-  std::string open_water_run;
-  bool view = false;
-  view::LiveAddress view_address;
-};
 
 /// The open-water run of --open-water-run, if any. Throws, as OpenWater does, before a file of an earlier run is
 /// replaced.
@@ -346,17 +336,6 @@ class Run {
   WarningCounts warnings_;
 };
 
-/// Throws InputError for flags that would change what a run has done already.
-void demand_resumable(const CLI::App& command) {
-  for (const char* flag :
-       {"scene", "--dt", "--solver", "--law", "--seed", "--scale", "--set", "--twins", "--out", "--force"})
-    if (command.get_option(flag)->count() > 0)
-      throw InputError(
-          std::string("--resume: a run continues with its own settings in its own folder; remove ") + flag +
-          " (allowed: --until, --statistics, --open-water, --open-water-run, --checkpoint-every, --threads, --json, "
-          "--quiet, --log-level, --view, --view-port, --view-host)");
-}
-
 /// States whether a run that is done can be continued. `summary`: the text of its summary.json.
 std::string how_to_go_on(const std::string& summary) {
   const std::string early = nlohmann::json::parse(summary).value("ended_early", "");
@@ -373,70 +352,12 @@ int resume_run(const RunOptions& options) {
   return exit_done;
 }
 
-void add_view_flags(CLI::App& command, RunOptions& options) {
-  auto* view = command.add_flag("--view", options.view,
-                                "Shows the run in a browser of this machine while it goes on. The address is printed.");
-  command
-      .add_option("--view-port", options.view_address.port,
-                  "Opens this port for the live view, as for a tunnel by ssh. The default is any free one.")
-      ->check(CLI::Range(0, 65535))
-      ->needs(view);
-  command
-      .add_option("--view-host", options.view_address.host,
-                  "Opens the live view on this address, so that other machines may reach it. Use it only in a network "
-                  "that you trust, since the traffic is not encrypted; a tunnel by ssh is safer.")
-      ->needs(view)
-      ->capture_default_str();
-}
-
 }  // namespace
 
 void add_run(CLI::App& app, Action& action) {
   auto* command = app.add_subcommand("run", "Simulates a scene to its end and writes a run folder.");
   auto options = std::make_shared<RunOptions>();
-  auto* scene = add_scene_flags(*command, options->scene)->required(false);
-  command
-      ->add_option(
-          "--checkpoint-every", options->scene.checkpoint_every,
-          "Writes a checkpoint each time this much simulated time [s] has passed, instead of the scene's interval. 0 "
-          "writes none.")
-      ->check(at_least(0));
-  command->add_option(
-      "--resume", options->resume,
-      "Continues the run in this folder from its newest checkpoint. It replaces the scene argument. With "
-      "--until a run can be made longer.");
-  command->add_option("--out", options->out,
-                      "Writes the run into this folder. The default is the folder that the scene names, else "
-                      "runs/<scene>-<time>.");
-  command
-      ->add_option("--threads", options->threads,
-                   "Computes on this many threads. The results do not depend on the number. More threads than free "
-                   "cores make a run slower.")
-      ->check(CLI::Range(1, 256))
-      ->capture_default_str();
-  command
-      ->add_option(
-          "--twins", options->twins,
-          "Makes this many perturbed runs, which start up to 1e-12 m away, in step with the run. summary.json then "
-          "holds means, standard errors and the predictability horizon.")
-      ->check(CLI::Range(0, 1000))
-      ->capture_default_str();
-  add_view_flags(*command, *options);
-  command->add_flag("--open-water", options->open_water,
-                    "First tows the same vessel without ice. The mean force of that is deducted from the tow force.");
-  command
-      ->add_option(
-          "--open-water-run", options->open_water_run,
-          "Deducts the mean force of the run without ice in this folder. It must have towed the same vessel at "
-          "the same speed.")
-      ->excludes("--open-water");
-  command->add_flag("--force", options->force,
-                    "Writes into the folder even if it is not empty. Files of an earlier run there are removed.");
-  command->add_flag("--json", options->json, "Prints the summary as JSON on standard output, and nothing else there.");
-  command->add_flag("--quiet", options->quiet, "Prints only warnings and errors, no progress.");
-  command->add_option("--log-level", options->log_level, "Prints messages of this level and above on the console.")
-      ->check(CLI::IsMember({"debug", "info", "warn", "error", "off"}))
-      ->capture_default_str();
+  const CLI::Option* scene = add_run_options(*command, *options);
   command->callback([&action, options, command, scene] {
     const bool resumes = command->get_option("--resume")->count() > 0;
     if (!resumes && scene->count() == 0) throw CLI::RequiredError("scene");

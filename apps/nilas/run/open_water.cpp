@@ -1,4 +1,4 @@
-#include "apps/nilas/commands/open_water.h"
+#include "apps/nilas/run/open_water.h"
 
 #include <fmt/format.h>
 
