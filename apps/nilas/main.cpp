@@ -71,6 +71,7 @@ std::optional<int> read_words(CLI::App& app, const std::vector<std::string>& wor
   } catch (const CLI::ParseError& e) {
     // an option that is missing is often one that was misspelt
     if (const std::string fault = nilas::commands::unknown_word(app); !fault.empty()) return refuse(fault);
+    if (const std::string fault = nilas::commands::bad_number(app); !fault.empty()) return refuse(fault);
     app.exit(e);
     return nilas::exit_bad_input;
   }

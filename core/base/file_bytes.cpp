@@ -37,7 +37,8 @@ std::string file_bytes(const fs::path& file) {
   demand_there(file, "file");
   std::error_code ignored;
   std::ifstream in(file, std::ios::binary);
-  if (!in || fs::is_directory(file, ignored)) throw FileError(file.string() + ": cannot be opened");
+  if (fs::is_directory(file, ignored)) throw FileError(file.string() + ": is a folder, and a file is needed");
+  if (!in) throw FileError(file.string() + ": cannot be opened");
   // in blocks: what pipes and /proc hold is not known beforehand
   constexpr std::size_t k_block = 1 << 16;
   std::array<char, k_block> block{};

@@ -64,6 +64,24 @@ TEST_F(Usage, SetNamesTheValueThatIsNoOverride) {
   expect_refusal("run box.xml --set time/@end=0.02 more.xml", {"does not expect 'more.xml'", "nilas run --help"});
 }
 
+TEST_F(Usage, AFaultNamesTheFlagThatMadeIt) {
+  expect_refusal("run box.xml --until 0", {"--until: <time end>: found 0; allowed: after the start"});
+  expect_refusal("run box.xml --set time/@end=0", {"--set: <time end>: found 0"});
+  expect_refusal("run box.xml --solver nothing --dt 0", {"--solver: <contact solver>", "--dt: <time step>"});
+  expect_refusal("view run --png abc", {"--png: found 'abc'; allowed: a number"});
+  expect_refusal("run box.xml --seed 1.5", {"--seed: found '1.5'; allowed: a whole number"});
+}
+
+TEST_F(Usage, AFileInThePlaceOfAFolderIsNamed) {
+  expect_refusal("view box.xml", {"box.xml: is a file; allowed: the folder of a run"});
+  expect_refusal("report box.xml", {"box.xml: is a file; a report needs the folder of a run"});
+  ASSERT_EQ(nilas("run box.xml --quiet --out run").exit_code, 0);
+  const auto folder_run = nilas("run run");
+  EXPECT_EQ(folder_run.exit_code, 4);
+  EXPECT_TRUE(mentions(folder_run.err, "run: is a folder; allowed: the XML file of a scene")) << folder_run.err;
+  EXPECT_TRUE(mentions(folder_run.err, "run/scene.xml is its scene")) << folder_run.err;
+}
+
 TEST_F(Usage, AnUnknownCommandIsAnsweredWithTheNearest) {
   expect_refusal("rnu box.xml", {"'rnu' is no command", "the nearest is run", "nilas --help"});
   expect_refusal("chekc box.xml", {"the nearest is check"});

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/base/file_bytes.h"
 #include "core/scene/spec/values.h"
 
 namespace nilas::commands {
@@ -54,7 +55,33 @@ static std::string window_words(const std::string& text) {
   return text.substr(0, colon) + " " + text.substr(colon + 1);
 }
 
+/// Flags that set one attribute, with the place that faults of it name.
+static std::vector<std::pair<const char*, const char*>> given_flags(const SceneFlags& flags) {
+  std::vector<std::pair<const char*, const char*>> given;
+  if (flags.until) given.emplace_back("--until", "<time end>");
+  if (flags.dt) given.emplace_back("--dt", "<time step>");
+  if (flags.statistics) given.emplace_back("--statistics", "<output statistics>");
+  if (flags.solver) given.emplace_back("--solver", "<contact solver>");
+  if (flags.law) given.emplace_back("--law", "<contact law>");
+  if (flags.checkpoint_every) given.emplace_back("--checkpoint-every", "<output checkpoint_every>");
+  if (flags.seed) given.emplace_back("--seed", "<seed value>");
+  return given;
+}
+
+/// Throws FileError for a folder, which is often that of a run.
+static void demand_scene_file(const std::filesystem::path& file) {
+  if (!is_folder(file)) return;
+  const std::filesystem::path scene = file / "scene.xml";
+  std::error_code ignored;
+  const std::string hint =
+      std::filesystem::exists(scene, ignored)
+          ? ". It holds a run: " + scene.string() + " is its scene, and `nilas run --resume` continues it"
+          : "";
+  throw FileError(file.string() + ": is a folder; allowed: the XML file of a scene" + hint);
+}
+
 scene::Scene read_flagged_scene(const SceneFlags& flags) {
+  demand_scene_file(flags.file);
   scene::Overrides overrides;
   for (const auto& text : flags.set) overrides.push_back(scene::split_override(text));
   if (flags.until) overrides.emplace_back("time/@end", fmt::format("{}", *flags.until));
@@ -65,7 +92,16 @@ scene::Scene read_flagged_scene(const SceneFlags& flags) {
   if (flags.checkpoint_every)
     overrides.emplace_back("output/@checkpoint_every", fmt::format("{}", *flags.checkpoint_every));
   if (flags.seed) overrides.emplace_back("seed/@value", fmt::format("{}", *flags.seed));
-  return scene::read_scene(flags.file, overrides, flags.scale);
+  try {
+    return scene::read_scene(flags.file, overrides, flags.scale);
+  } catch (const SceneError& e) {
+    // A flag of its own overrides what --set gives to the same attribute, so a fault there is the flag's.
+    std::vector<Fault> faults = e.faults();
+    for (Fault& fault : faults)
+      for (const auto& [flag, where] : given_flags(flags))
+        if (fault.file == "--set" && fault.where == where) fault.file = flag;
+    throw SceneError(std::move(faults));
+  }
 }
 
 }  // namespace nilas::commands

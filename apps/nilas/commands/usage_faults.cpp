@@ -67,6 +67,24 @@ std::string unknown_command(const CLI::App& app, const std::vector<std::string>&
          (near.empty() ? "allowed: " + joined(names) + "." : "the nearest is " + near + ". `nilas --help` lists all.");
 }
 
+std::string bad_number(const CLI::App& app) {
+  const CLI::App* command = &app;
+  for (auto chosen = app.get_subcommands(); !chosen.empty(); chosen = command->get_subcommands())
+    command = chosen.front();
+  for (const auto* option : command->get_options()) {
+    const std::string type = option->get_type_name();
+    const bool is_whole = type.rfind("INT", 0) == 0 || type.rfind("UINT", 0) == 0;
+    if (!is_whole && type.rfind("FLOAT", 0) != 0) continue;
+    for (const std::string& word : option->results()) {
+      long whole = 0;
+      double number = 0;
+      if (is_whole ? CLI::detail::lexical_cast(word, whole) : CLI::detail::lexical_cast(word, number)) continue;
+      return option->get_name() + ": found '" + word + "'; allowed: a " + (is_whole ? "whole number" : "number");
+    }
+  }
+  return "";
+}
+
 std::string unknown_word(const CLI::App& app) {
   const CLI::App* command = &app;
   std::string title = app.get_name();

@@ -27,6 +27,8 @@ struct ViewOptions {
 /// The bytes of a run's replay. Throws FileError, InputError.
 std::string replay_of(const std::filesystem::path& run) {
   demand_there(run, "run folder");
+  if (!is_folder(run))
+    throw InputError(run.string() + ": is a file; allowed: the folder of a run, in which replay.bin lies");
   const std::filesystem::path file = output::RunFolder::replay_file(run);
   if (!std::filesystem::exists(file)) {
     if (!std::filesystem::exists(output::RunFolder::scene_file(run)))

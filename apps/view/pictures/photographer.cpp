@@ -35,7 +35,7 @@ void Photographer::compose(double time, bool follows) {
       fmt::format("nilas.compose({}, {})", nlohmann::json(words).dump(), look_.plain ? "true" : "false"), k_draw_s);
   std::string text;
   for (const auto& fault : faults) text += (text.empty() ? "" : " ") + fault.get<std::string>();
-  if (!text.empty()) throw InputError(text);
+  if (!text.empty()) throw InputError("--look: " + text);
 }
 
 std::string Photographer::still(double time) {

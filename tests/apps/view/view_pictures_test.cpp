@@ -1,4 +1,6 @@
-/// Pictures and films by `nilas view`. They need Chromium; without it they fail, unless NILAS_PAGE_TESTS_MAY_SKIP is 1.
+/// Pictures and films by `nilas view`. They need Chromium and ffmpeg; without them they fail, unless
+/// NILAS_PAGE_TESTS_MAY_SKIP is 1.
+/// NILAS_PAGE_TESTS_MAY_SKIP is 1.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -88,6 +90,7 @@ TEST_F(ViewPictures, WhatCannotBeDrawnIsRefused) {
   expect_refusal("--png nan", 2, "--png: found nan; allowed: a finite number");
   expect_refusal("--frames f --speed inf", 2, "--speed: found inf");
   expect_refusal("--png 1 --look color=heat", 2, "Allowed: plain, speed, thickness");
+  expect_refusal("--png 1 --look banana=2", 2, "--look: There is no option \"banana\". Allowed: view, follow, color");
   expect_refusal("--png 1 --look t=3", 2, "has an option of its own");
   expect_refusal("--png 1 --size 10x10", 2, "--size: found 10x10");
   expect_refusal("--png 1 --camera nowhere", 2, "allowed: scene, bow, side, top, stern");
@@ -118,7 +121,7 @@ TEST_F(ViewPictures, AFilmIsDrawnPictureByPictureWithoutFfmpeg) {
 }
 
 TEST_F(ViewPictures, AFilmIsWrittenByFfmpeg) {
-  if (!finds("ffmpeg")) GTEST_SKIP() << "There is no ffmpeg, so no film was written.";
+  if (!finds("ffmpeg") && may_skip()) GTEST_SKIP() << "There is no ffmpeg.";
   for (const char* file : {"a.mp4", "b.mp4"})
     ASSERT_EQ(view(std::string("--mp4 ") + file + " --fps 5 --size 320x180").exit_code, 0);
   const std::string film = read_text(in("a.mp4"));

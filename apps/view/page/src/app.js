@@ -2,7 +2,7 @@ import * as THREE from 'three';
 import { FrameStore } from './data/frame_store.js';
 import { Recording } from './data/recording.js';
 import { parseFragment } from './fragment.js';
-import { Options } from './options.js';
+import { Options, unknownOption } from './options.js';
 import { Player } from './player.js';
 import { pickBody } from './scene/picking.js';
 import { BodyKind } from './data/frame.js';
@@ -186,7 +186,7 @@ export class App {
 
   /** Does what words such as `t=12.3&view=top` say. Returns what is wrong with them, a sentence each. */
   async applyWords(text) {
-    const { options, words, unknown } = parseFragment(text), faults = unknown.map((name) => `There is no option "${name}".`);
+    const { options, words, unknown } = parseFragment(text), faults = unknown.map(unknownOption);
     for (const [name, value] of options) {
       try {
         this.options.set(name, value);

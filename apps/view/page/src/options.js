@@ -59,9 +59,14 @@ export class Options extends EventTarget {
   all() { return Object.fromEntries(this.#values); }
 }
 
+/** What is wrong with a name that no option has. */
+export function unknownOption(name) {
+  return `There is no option "${name}". Allowed: ${OPTIONS.map((o) => o.name).join(', ')}.`;
+}
+
 function optionNamed(name) {
   const option = OPTIONS.find((o) => o.name === name);
-  if (!option) throw new Error(`There is no option "${name}". There are ${OPTIONS.map((o) => o.name).join(', ')}.`);
+  if (!option) throw new Error(unknownOption(name));
   return option;
 }
 
