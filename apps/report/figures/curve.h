@@ -1,5 +1,7 @@
 #pragma once
 /// Curves and plots of a report, as the page and the figures for papers draw them.
+#include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,7 +29,8 @@ struct Plot {
   std::vector<Curve> curves = {};
   bool log_x = false, log_y = false;
   std::vector<Level> levels = {};
-  bool over_time = false;  ///< true: x is the time of the run, so such plots zoom together
+  bool over_time = false;                             ///< true: x is the time of the run, so such plots zoom together
+  std::optional<std::array<double, 2>> y_range = {};  ///< shown while all of x is; empty: that of all values
 };
 
 }  // namespace nilas::report

@@ -46,11 +46,42 @@ std::vector<std::string> names_of(const Runs& runs) {
   return names;
 }
 
+/// A doubt where the vessels are of different scales; empty where they are not.
+std::string scale_doubt(const Runs& runs, const std::vector<std::string>& names) {
+  constexpr double k_other_scale = 1.5;
+  const auto length = [&](std::size_t k) {
+    return runs[k]->shapes && runs[k]->load != nullptr && runs[k]->load->is_vessel()
+               ? runs[k]->shapes->info.vessel_length
+               : 0.0;
+  };
+  std::size_t least = runs.size(), most = runs.size();
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    if (!(length(k) > 0)) continue;
+    if (least == runs.size() || length(k) < length(least)) least = k;
+    if (most == runs.size() || length(k) > length(most)) most = k;
+  }
+  if (least == runs.size() || length(most) < k_other_scale * length(least)) return "";
+  return fmt::format(
+      "The vessel of {} is {:.4g} m long and that of {} {:.4g} m. These runs are of different scales, so their loads "
+      "do not compare as they are. By Froude's law a force grows with the cube of the length, which is {:.4g} times "
+      "here.",
+      names[least], length(least), names[most], length(most), std::pow(length(most) / length(least), 3));
+}
+
+/// What the errors of means and differences leave out.
+std::string other_ice(const Runs& runs) {
+  const bool has_load = std::any_of(runs.begin(), runs.end(), [](const auto& run) { return run->load != nullptr; });
+  if (!has_load) return "";
+  return "No error here covers other ice of the same kind: another seed can change a mean by more than its error. Run "
+         "several seeds (--seed) of each before you trust a difference.";
+}
+
 std::string first_sentence(const Runs& runs, const std::vector<std::string>& names) {
   const RunFindings& first = *runs.front();
   if (first.load == nullptr) return "The first run has nothing that bears a load, so loads are not compared.";
   std::string text = fmt::format(
-      "The mean ice load on {} of {} is {}.", first.subject(), names.front(),
+      "The mean ice load on {} of {}, positive {}, is {}.", first.subject(), names.front(),
+      sides_along(first.load->is_vessel()).positive,
       mean_with_error(first.load->along.statistics.mean, first.load->along.half_width, first.load->error_at_least));
   const auto warn = [&](std::size_t k) {
     if (runs[k]->load->is_unsteady())
@@ -75,7 +106,8 @@ std::string first_sentence(const Runs& runs, const std::vector<std::string>& nam
 Section runs_section(const Runs& runs, const std::vector<std::string>& names) {
   Section section{.id = "runs", .title = "The runs"};
   section.text.emplace_back(
-      "Loads along the course over each run's own window. The error of a difference is the root of the sum of squares "
+      "Loads along the course, positive astern, or along the drift, over each run's own window. The error of a "
+      "difference is the root of the sum of squares "
       "of both errors. It holds for runs whose scatter is independent.");
   PageTable table{.head = {"", "mean", "less the first", "standard deviation", "99 % of steps below, by size",
                            "largest filtered", "largest of one step", "simulated", "wall time"}};
@@ -150,7 +182,8 @@ Section curves_section(const Runs& runs, const std::vector<std::string>& names) 
   const double side = first != nullptr && first->along.statistics.mean < 0 ? -1 : 1;
   const std::string force = fmt::format("load [{}]", unit.name);
   Plot loads{.id = "load-along",
-             .title = "Ice load along the course",
+             .title = first == nullptr || first->is_vessel() ? "Ice load along the course, positive astern"
+                                                             : "Ice load along the drift",
              .x_label = "time [s]",
              .y_label = force,
              .over_time = true};
@@ -216,6 +249,8 @@ ReportPage comparison_page(const std::vector<std::unique_ptr<RunFindings>>& runs
   ReportPage page;
   for (const std::string& name : names) page.title += (page.title.empty() ? "Comparison of " : ", ") + name;
   page.headline = {first_sentence(runs, names)};
+  for (std::string text : {scale_doubt(runs, names), other_ice(runs)})
+    if (!text.empty()) page.headline.push_back(std::move(text));
   page.sections = {runs_section(runs, names), scenes_section(runs, names), curves_section(runs, names),
                    cover_section(runs, names), all_gaps(runs, names)};
   return page;

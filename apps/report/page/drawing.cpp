@@ -76,7 +76,8 @@ std::string svg_drawing(const DrawnShapes& shapes, const DrawnArea& area, const 
                      [](const auto* a, const auto* b) { return size_of(*a) > size_of(*b); });
     floes.resize(k_most_floes);
   }
-  std::string ice, hull, water, tank, marks;
+  std::string ice, hull, water, tank, culprits, marks;
+  for (const auto& outline : shapes.culprits) culprits += canvas.closed(outline);
   for (const auto* outline : floes) ice += canvas.closed(*outline);
   for (const auto& line : shapes.hull) hull += canvas.line(line);
   for (const auto& line : shapes.water) water += canvas.line(line);
@@ -84,14 +85,20 @@ std::string svg_drawing(const DrawnShapes& shapes, const DrawnArea& area, const 
   for (const Vec2& mark : shapes.marks) {
     const std::string at = canvas.point(mark);
     const auto blank = at.find(' ');
+    const std::string x = at.substr(0, blank), y = at.substr(blank + 1);
+    marks += fmt::format("<circle class=\"mark\" cx=\"{}\" cy=\"{}\" r=\"9\"/>", x, y);
+    if (shapes.mark_name.empty()) continue;
+    // Beside the mark, on the side with more room.
+    const bool is_right = mark.x() > 0.5 * (area.low.x() + area.high.x());
     marks +=
-        fmt::format("<circle class=\"mark\" cx=\"{}\" cy=\"{}\" r=\"14\"/>", at.substr(0, blank), at.substr(blank + 1));
+        fmt::format("<text class=\"mark-name\" x=\"{}\" y=\"{}\" dx=\"{}\" dy=\"-16\" text-anchor=\"{}\">{}</text>", x,
+                    y, is_right ? -14 : 14, is_right ? "end" : "start", output::html_text(shapes.mark_name));
   }
   const double length = scale_length(area.high.x() - area.low.x()), foot = canvas.height() - 20;
   return fmt::format("<svg class=\"drawing\" viewBox=\"0 0 {:.0f} {:.0f}\" role=\"img\" aria-label=\"{}\">", k_pixels,
                      canvas.height(), output::html_text(label)) +
-         path_element("tank", tank) + path_element("ice", ice) + path_element("waterline", water) +
-         path_element("hull", hull) + marks +
+         path_element("tank", tank) + path_element("ice", ice) + path_element("culprit", culprits) +
+         path_element("waterline", water) + path_element("hull", hull) + marks +
          fmt::format("<path class=\"scale\" d=\"M20 {:.1f}h{:.1f}\"/><text x=\"20\" y=\"{:.1f}\">{:g} m</text></svg>",
                      foot, canvas.scale() * length, foot - 14, length);
 }

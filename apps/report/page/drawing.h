@@ -14,6 +14,8 @@ struct DrawnShapes {
   std::vector<std::array<Vec2, 2>> hull, water;  ///< lines of bodies, and of the water
   std::vector<std::vector<Vec2>> tank;           ///< closed outlines
   std::vector<Vec2> marks;                       ///< places of the largest load
+  std::vector<std::vector<Vec2>> culprits;       ///< closed outlines of the floe that made it
+  std::string mark_name;                         ///< stands beside the marks; empty: nothing
 };
 
 /// The part of the plane that a drawing shows [m].

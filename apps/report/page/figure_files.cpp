@@ -17,8 +17,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The colours of Okabe and Ito, which those who see colours differently can tell apart.
-constexpr std::array k_colours{"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000"};
+/// The colours of Okabe and Ito, which those who see colours differently can tell apart; then some for plots of many
+/// curves.
+constexpr std::array k_colours{"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9",
+                               "#000000", "#7b3fbf", "#8a5a2b", "#e0359b", "#7a9a01", "#9c1c28"};
 
 const char* colour_of(std::size_t k) { return k_colours[k % k_colours.size()]; }
 
@@ -51,6 +53,12 @@ Json range_json(const Plot& plot) {
     }
   if (plot.log_x || !(low < high)) return nullptr;
   return {{"low", low}, {"high", high}};
+}
+
+/// The range of y that is shown; null for that of all values.
+Json shown_json(const Plot& plot) {
+  if (!plot.y_range) return nullptr;
+  return {{"low", plot.y_range->front()}, {"high", plot.y_range->back()}};
 }
 
 /// The lowest value that a logarithmic axis shows, eight decades below the largest; null on another axis.
@@ -89,11 +97,17 @@ Json figure_json(const Plot& plot) {
                       {"low", level.y - level.half_width},
                       {"high", level.y + level.half_width},
                       {"has_band", level.half_width > 0}});
-  return {{"title", plot.title},        {"x_label", plot.x_label},
-          {"y_label", plot.y_label},    {"log_x", plot.log_x},
-          {"log_y", plot.log_y},        {"curves", curves},
-          {"levels", levels},           {"x_range", range_json(plot)},
-          {"y_low", lowest_json(plot)}, {"formats", formats_of(plot.id)}};
+  return {{"title", plot.title},
+          {"x_label", plot.x_label},
+          {"y_label", plot.y_label},
+          {"log_x", plot.log_x},
+          {"log_y", plot.log_y},
+          {"curves", curves},
+          {"levels", levels},
+          {"x_range", range_json(plot)},
+          {"y_low", lowest_json(plot)},
+          {"y_range", shown_json(plot)},
+          {"formats", formats_of(plot.id)}};
 }
 
 std::string place_rows(const HullPicture& picture) {

@@ -32,8 +32,7 @@ std::string sureness(const BodyLoad& load) {
 
 std::string largest(const RunFindings& found) {
   const output::Peak& peak = found.load->along.peak;
-  const auto sides =
-      found.load->is_vessel() ? output::k_astern : output::LoadSides{"along the drift", "against the drift"};
+  const auto sides = sides_along(found.load->is_vessel());
   std::string text = fmt::format("the largest load of one step was {} at {}", output::sided_force(peak.raw, sides),
                                  time_text(peak.raw_time, found.run.step()));
   if (!found.cause) return text;
@@ -53,8 +52,8 @@ std::string who_text(const RunFindings& found) {
   if (cause.share > 1)
     return fmt::format("{} {} made this load: it pushed with {:.0f} % of it, and others pushed the other way", kind,
                        cause.floe, k_percent * cause.share);
-  return fmt::format("{} {} made {:.0f} % of this load, to which {} bodies contributed", kind, cause.floe,
-                     k_percent * cause.share, cause.floes);
+  return fmt::format("{} {} made {:.0f} % of this load, to which {} {} contributed", kind, cause.floe,
+                     k_percent * cause.share, cause.floes, found.floe_made_peak ? "floes" : "bodies");
 }
 
 /// The load across the course in the step of the largest load, which may be the larger part.
@@ -91,8 +90,9 @@ std::vector<std::string> limits(const RunFindings& found) {
     text.push_back(fmt::format(
         "The load is not steady: its mean was {} over the first half of the window and {} over the second. Either it "
         "still changes or the window holds too little ice. Run longer.",
-        mean_with_error(load.along.halves->first.mean, load.along.halves->first.half_width, false),
-        mean_with_error(load.along.halves->second.mean, load.along.halves->second.half_width, false)));
+        sided_mean(load.along.halves->first.mean, load.along.halves->first.half_width, sides_along(load.is_vessel())),
+        sided_mean(load.along.halves->second.mean, load.along.halves->second.half_width,
+                   sides_along(load.is_vessel()))));
   text.push_back(
       fmt::format("The window is {:.4g} s to {:.4g} s: {}.", load.window.from, load.window.to, load.window.reason));
   if (!load.peak_depends.empty()) text.push_back(load.peak_depends);

@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "apps/report/figures/exceedance.h"
 #include "apps/report/figures/spectrum.h"
 #include "apps/report/figures/thin.h"
+#include "apps/report/page/mooring_plot.h"
 #include "apps/report/page/words.h"
 
 namespace nilas::report {
@@ -59,6 +61,37 @@ std::optional<Plot> group_plot(const RunTable& table, const std::string& group, 
   return plot;
 }
 
+/// The time from which the ramp at the start has died away [s].
+double settled_from(const RunFindings& found) {
+  constexpr double k_share = 0.25;
+  const double start = found.run.start(), end = found.run.times().back();
+  return std::max(found.load->window.from, start + k_share * (end - start));
+}
+
+/// Gives a plot the range of its values after `from`, where those before would make these flat. Returns a sentence on
+/// what is beyond it; empty where nothing is.
+std::string show_after(double from, Plot& plot) {
+  constexpr double k_much = 2, k_margin = 0.08, k_infinity = std::numeric_limits<double>::infinity();
+  std::array<double, 2> all{k_infinity, -k_infinity}, late = all;
+  const auto take = [](std::array<double, 2>& range, double low, double high) {
+    range = {std::min(range[0], low), std::max(range[1], high)};  // a gap is NaN and changes nothing
+  };
+  for (const Curve& curve : plot.curves)
+    for (std::size_t k = 0; k < curve.x.size(); ++k) {
+      const double low = curve.low.empty() ? curve.y[k] : curve.low[k];
+      const double high = curve.high.empty() ? curve.y[k] : curve.high[k];
+      take(all, low, high);
+      if (curve.x[k] > from) take(late, low, high);
+    }
+  const double height = late[1] - late[0];
+  if (!(height > 0) || all[1] - all[0] < k_much * height) return "";
+  plot.y_range = {late[0] - k_margin * height, late[1] + k_margin * height};
+  return fmt::format(
+      "The graph \"{}\" is scaled to the time after {:.4g} s. Before, values reach from {:.4g} to {:.4g}; enlarge that "
+      "time to see them.",
+      plot.title, from, all[0], all[1]);
+}
+
 Plot motion_plot(const RunTable& vessel) {
   Plot plot{.id = "motion",
             .title = "Way of the centre of mass since the start",
@@ -93,8 +126,10 @@ PageTable load_table(const RunFindings& found) {
                               found.load->window.reason);
   for (const BodyLoad& load : found.loads) {
     const std::string who = load.is_vessel() ? "" : load.name + ", ";
-    table.rows.push_back(component_row(who + "along the course", load.along, load.error_at_least));
-    table.rows.push_back(component_row(who + "across the course", load.across, load.error_at_least));
+    const char* along = load.is_vessel() ? "along the course, positive astern" : "along the drift";
+    const char* across = load.is_vessel() ? "across the course, positive to port" : "across the drift";
+    table.rows.push_back(component_row(who + along, load.along, load.error_at_least));
+    table.rows.push_back(component_row(who + across, load.across, load.error_at_least));
   }
   return table;
 }
@@ -187,7 +222,15 @@ Section loads_section(const RunFindings& found) {
                                    {"thruster", "the thrusters"},
                                    {"wind", "the wind"},
                                    {"manoeuvring", "propeller and rudder"}})
-    if (auto plot = group_plot(found.run.vessel, group, who)) section.plots.push_back(std::move(*plot));
+    if (auto plot = group_plot(found.run.vessel, group, who)) {
+      std::string beyond = show_after(settled_from(found), *plot);
+      if (!beyond.empty()) section.text.push_back(std::move(beyond));
+      section.plots.push_back(std::move(*plot));
+    }
+  if (auto mooring = mooring_plot(found)) {
+    section.text.push_back(std::move(mooring->text));
+    section.plots.push_back(std::move(mooring->plot));
+  }
   if (!found.run.vessel.has("carriage_fx_N") && found.run.vessel.has("x_m"))
     section.plots.push_back(motion_plot(found.run.vessel));
   return section;

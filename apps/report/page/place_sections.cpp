@@ -99,8 +99,13 @@ void explain_missing(const RunFindings& found, Section& section) {
 std::optional<HullPicture> hull_picture(const RunFindings& found) {
   if (!found.contacts || found.body == nullptr || found.contacts->time.empty()) return std::nullopt;
   const WaterlineOutline outline = outline_of(found);
-  return HullPicture{place_load(*found.contacts, outline), &found.body->mesh, outline.length(), water_in_frame(found),
-                     found.body->is_vessel};
+  HullPicture picture{place_load(*found.contacts, outline), &found.body->mesh, outline.length(), water_in_frame(found),
+                      found.body->is_vessel};
+  if (!found.cause) return picture;
+  picture.cause = &*found.cause;
+  picture.peak_along = outline.along(found.cause->place.head<2>());
+  picture.is_floe = found.floe_made_peak;
+  return picture;
 }
 
 nlohmann::ordered_json hull_json(const HullPicture& picture) {
@@ -114,9 +119,19 @@ nlohmann::ordered_json hull_json(const HullPicture& picture) {
   for (const PlaceCell& cell : picture.load.cells)
     cells.push_back({rounded(cell.along), rounded(cell.height), rounded(cell.place.x()), rounded(cell.place.y()),
                      rounded(cell.place.z()), cell.impulse, cell.peak});
-  return {{"vertices", vertices},        {"triangles", triangles},     {"cells", cells},
-          {"width", picture.load.width}, {"outline", picture.outline}, {"water", picture.water},
-          {"vessel", picture.is_vessel}};
+  Json peak = nullptr;
+  if (picture.cause != nullptr)
+    peak = {{"along", rounded(picture.peak_along)},
+            {"height", rounded(picture.cause->place.z())},
+            {"name", fmt::format("{} {}", picture.is_floe ? "floe" : "body", picture.cause->floe)}};
+  return {{"vertices", vertices},
+          {"triangles", triangles},
+          {"cells", cells},
+          {"width", picture.load.width},
+          {"outline", picture.outline},
+          {"water", picture.water},
+          {"vessel", picture.is_vessel},
+          {"peak", peak}};
 }
 
 Section place_section(const RunFindings& found, const std::optional<HullPicture>& picture) {
@@ -134,8 +149,10 @@ Section place_section(const RunFindings& found, const std::optional<HullPicture>
       picture->is_vessel ? "the bow, with the port side to the right" : "the place that faces the drift"));
   if (found.cause)
     section.text.push_back(
-        fmt::format("The largest load of one step acted at x = {:.4g} m, y = {:.4g} m, z = {:.4g} m.",
-                    found.cause->place.x(), found.cause->place.y(), found.cause->place.z()));
+        fmt::format("The ring marks where {} {} made the largest load of one step, at x = {:.4g} m, y = {:.4g} m, z = "
+                    "{:.4g} m.",
+                    found.floe_made_peak ? "floe" : "body", found.cause->floe, found.cause->place.x(),
+                    found.cause->place.y(), found.cause->place.z()));
   return section;
 }
 

@@ -14,6 +14,9 @@ struct HullPicture {
   const geometry::TriangleMesh* mesh = nullptr;
   double outline = 0, water = 0;  ///< length around; height of the water in the frame of the mesh [m]
   bool is_vessel = false;
+  double peak_along = 0;  ///< where the largest load of one step acted, as PlaceCell::along [m]; without a cause 0
+  const PeakCause* cause = nullptr;  ///< of that load; null: not known
+  bool is_floe = false;              ///< whether its body is known to be ice
 };
 
 /// Empty without contacts or without a shape.

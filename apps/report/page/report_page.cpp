@@ -53,8 +53,10 @@ Json plot_json(const Plot& plot) {
                       {"steps", curve.is_steps}});
   for (const Level& level : plot.levels)
     levels.push_back({{"name", level.name}, {"y", level.y}, {"half_width", level.half_width}});
-  return {{"id", plot.id},       {"x_label", plot.x_label},     {"y_label", plot.y_label}, {"log_x", plot.log_x},
-          {"log_y", plot.log_y}, {"over_time", plot.over_time}, {"curves", curves},        {"levels", levels}};
+  const Json range = plot.y_range ? Json(*plot.y_range) : Json(nullptr);
+  return {{"id", plot.id},       {"y_range", range},    {"x_label", plot.x_label},     {"y_label", plot.y_label},
+          {"log_x", plot.log_x}, {"log_y", plot.log_y}, {"over_time", plot.over_time}, {"curves", curves},
+          {"levels", levels}};
 }
 
 Json table_json(const PageTable& table) {

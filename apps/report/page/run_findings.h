@@ -22,7 +22,7 @@ struct RunFindings {
   const RunBody* body = nullptr;         ///< its shape; null: not known
   std::optional<HullContacts> contacts;  ///< empty where contacts.h5 is missing or cannot be read
   std::optional<PeakCause> cause;        ///< of the largest load of one step
-  bool floe_made_peak = false;           ///< whether its body is known to be a floe
+  bool floe_made_peak = false;           ///< whether its body is known to be ice
   std::vector<IceFrameFile> frames;      ///< stored frames of the ice
 
   /// The name of the vessel in the scene, or "vessel".

@@ -26,9 +26,20 @@ std::vector<Moment> moments_of(const RunFindings& found) {
   return moments;
 }
 
-std::vector<std::vector<Vec3>> ice_at(const RunFindings& found, double t) {
+IceFrame ice_at(const RunFindings& found, double t) {
   const IceFrameFile* frame = frame_near(found, t);
-  return frame == nullptr ? std::vector<std::vector<Vec3>>{} : read_ice_frame(*frame).outlines;
+  return frame == nullptr ? IceFrame{} : read_ice_frame(*frame);
+}
+
+std::vector<Vec2> seen_from_above(const std::vector<Vec3>& outline) {
+  std::vector<Vec2> flat;
+  for (const Vec3& p : outline) flat.emplace_back(p.head<2>());
+  return flat;
+}
+
+/// "floe 225", as drawings name what made the largest load.
+std::string culprit_name(const RunFindings& found) {
+  return fmt::format("{} {}", found.floe_made_peak ? "floe" : "body", found.cause->floe);
 }
 
 geometry::TriangleMesh mesh_at(const RunFindings& found, const RunBody& body, double t) {
@@ -74,10 +85,11 @@ std::string ice_moment(const RunFindings& found, double t) {
 
 Drawing from_above(const RunFindings& found, const Moment& moment) {
   DrawnShapes shapes;
-  for (const auto& outline : ice_at(found, moment.t)) {
-    auto& flat = shapes.ice.emplace_back();
-    for (const Vec3& p : outline) flat.emplace_back(p.head<2>());
-  }
+  const IceFrame ice = ice_at(found, moment.t);
+  const bool marks = moment.at_peak && found.cause;
+  for (std::size_t k = 0; k < ice.outlines.size(); ++k)
+    (marks && ice.ids[k] == found.cause->floe ? shapes.culprits : shapes.ice)
+        .push_back(seen_from_above(ice.outlines[k]));
   std::vector<geometry::TriangleMesh> meshes;
   if (found.shapes)
     for (const RunBody& body : found.shapes->bodies) meshes.push_back(mesh_at(found, body, moment.t));
@@ -85,7 +97,8 @@ Drawing from_above(const RunFindings& found, const Moment& moment) {
     for (const Segment& line : visible_lines(mesh, Vec3::UnitZ()))
       shapes.hull.push_back({line[0].head<2>(), line[1].head<2>()});
   if (found.run.scene) shapes.tank = tank_outline(*found.run.scene);
-  if (moment.at_peak && found.cause) {
+  if (marks) {
+    shapes.mark_name = culprit_name(found);
     Vec3 place = found.cause->place;
     if (found.body->is_vessel) {
       const Pose pose = vessel_pose(found.run.vessel, moment.t, found.shapes->info.vessel_mass.com);
@@ -95,8 +108,8 @@ Drawing from_above(const RunFindings& found, const Moment& moment) {
   }
   const std::string what = fmt::format("From above {} ({})", moment.when, time_text(moment.t, found.run.step()));
   return {svg_drawing(shapes, area_around(meshes, shapes.ice), what),
-          what + (shapes.marks.empty() ? "." : ". The dot marks where the largest load acted.") +
-              ice_moment(found, moment.t)};
+          what + (marks ? ". The dot marks where the largest load acted, by " + culprit_name(found) : "") +
+              (shapes.culprits.empty() ? "." : ", which is coloured.") + ice_moment(found, moment.t)};
 }
 
 /// The hull from its starboard side, in its own frame, with the ice abeam of it.
@@ -117,7 +130,7 @@ Drawing from_the_side(const RunFindings& found, const Moment& moment) {
                        {high.x() + k_beside * length, high.z() + k_above * length}};
   shapes.water.push_back({Vec2(area.low.x(), level - pose.p.z()), Vec2(area.high.x(), level - pose.p.z())});
   const double thickness = found.run.scene->ice ? found.run.scene->ice->thickness : 0;
-  for (const auto& outline : ice_at(found, moment.t)) {
+  for (const auto& outline : ice_at(found, moment.t).outlines) {
     std::vector<Vec2> top;
     bool beside = false;
     for (const Vec3& p : outline) {

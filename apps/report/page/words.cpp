@@ -23,6 +23,14 @@ std::string mean_with_error(double mean, const std::optional<double>& error, boo
   return text + " ± " + (at_least ? "at least " : "") + error_force(*error, mean);
 }
 
+std::string sided_mean(double mean, const std::optional<double>& error, const output::LoadSides& sides) {
+  return mean_with_error(std::abs(mean), error, false) + " " + (mean < 0 ? sides.negative : sides.positive);
+}
+
+output::LoadSides sides_along(bool is_vessel) {
+  return is_vessel ? output::k_astern : output::LoadSides{"along the drift", "against the drift"};
+}
+
 std::string time_text(double t, double step) {
   const int decimals = step > 0 ? std::clamp(static_cast<int>(std::ceil(-std::log10(step) - 1e-9)), 0, 6) : 3;
   std::string text = fmt::format("{:.{}f}", t, decimals);

@@ -11,6 +11,10 @@ namespace nilas::report {
 std::string error_force(double newton, double beside);
 /// A mean with its error: "41.3 kN ± 2.9 kN"; "at least" before the error where it is a lower bound.
 std::string mean_with_error(double mean, const std::optional<double>& error, bool at_least);
+/// The same with the side of the mean instead of its sign: "41.3 kN ± 2.9 kN forward".
+std::string sided_mean(double mean, const std::optional<double>& error, const output::LoadSides& sides);
+/// The words for the signs of the load along the course of a vessel, or along the drift on a fixed body.
+output::LoadSides sides_along(bool is_vessel);
 /// A time with as many digits as steps of this length need: "34.2 s".
 std::string time_text(double t, double step);
 /// A number with up to four significant digits.

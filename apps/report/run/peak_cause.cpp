@@ -17,11 +17,13 @@ struct FloeShare {
 
 }  // namespace
 
-std::optional<PeakCause> peak_cause(const HullContacts& contacts, double time, double h, double along, double across) {
+std::optional<PeakCause> peak_cause(const HullContacts& contacts, double time, double h, double along, double across,
+                                    const std::vector<std::int64_t>& not_ice) {
   std::map<std::int64_t, FloeShare> floes;
   Vec3 total = Vec3::Zero();
   for (std::size_t k = 0; k < contacts.time.size(); ++k) {
     if (std::abs(contacts.time[k] - time) > 0.5 * h) continue;
+    if (std::find(not_ice.begin(), not_ice.end(), contacts.other[k]) != not_ice.end()) continue;
     FloeShare& floe = floes[contacts.other[k]];
     const double size = contacts.force[k].norm();
     floe.force += contacts.force[k];

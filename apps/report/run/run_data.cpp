@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "core/base/error.h"
 #include "core/base/file_bytes.h"
@@ -53,7 +54,31 @@ void note_missing(RunData& run) {
   demand("events.csv", run.scene && run.scene->fracture && run.scene->fracture->cuts_floes());
 }
 
-/// Notes the tables that end before the longest, and cells that are no number.
+/// Notes columns in which some cells are no number. A column without any number holds words.
+void note_no_numbers(RunData& run) {
+  const auto check = [&](const char* file, const RunTable& table) {
+    std::string columns;
+    std::size_t all = 0;
+    for (const std::string& name : table.names()) {
+      const std::vector<double>& values = table[name];
+      const auto bad = static_cast<std::size_t>(
+          std::count_if(values.begin(), values.end(), [](double value) { return !std::isfinite(value); }));
+      if (bad == 0 || bad == values.size()) continue;
+      columns += (columns.empty() ? "" : ", ") + name;
+      all += bad;
+    }
+    if (all == 0) return;
+    run.gaps.push_back(
+        {"The table " + std::string(file), fmt::format("{} {} no finite number and left out of graphs, in {}.", all,
+                                                       all == 1 ? "cell is" : "cells are", columns)});
+  };
+  check("vessel.csv", run.vessel);
+  check("structures.csv", run.structures);
+  check("steps.csv", run.steps);
+  check("events.csv", run.events);
+}
+
+/// Notes the tables that end before the longest.
 void note_cut(RunData& run) {
   const auto check = [&](const char* file, const RunTable& table) {
     if (table.rows() == 0) return;
@@ -133,6 +158,7 @@ RunData read_run(const fs::path& folder) {
   read_table(run, "events.csv", run.events);
   note_missing(run);
   note_cut(run);
+  note_no_numbers(run);
   if (run.times().empty())
     throw InputError(folder.string() +
                      ": there is nothing to report, since no table of the folder holds a step. The run was killed "

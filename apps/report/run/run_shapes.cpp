@@ -26,6 +26,10 @@ RunShapes run_shapes(const scene::Scene& scene, bool with_ice) {
   const bodies::Bodies& bodies = simulation.bodies();
   RunShapes shapes;
   shapes.info = simulation.info();
+  shapes.with_ice = with_ice || !scene.ice;
+  for (std::size_t b = 0; b < bodies.id.size(); ++b)
+    if (bodies.kind[b] == bodies::BodyKind::rigid || bodies.kind[b] == bodies::BodyKind::wall)
+      shapes.others.push_back(bodies.id[b]);
   const auto add = [&](std::size_t b, bool is_vessel) {
     RunBody& body = shapes.bodies.emplace_back();
     body.ids = {bodies.id[b]};

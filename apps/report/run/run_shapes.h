@@ -18,8 +18,10 @@ struct RunBody {
 };
 
 struct RunShapes {
-  std::vector<RunBody> bodies;  ///< the vessel first
-  sim::RunInfo info;            ///< without ice where the ice was left out
+  std::vector<RunBody> bodies;       ///< the vessel first
+  std::vector<std::int64_t> others;  ///< ids of walls and of the scene's bodies, which come after those of floes
+  bool with_ice = false;             ///< whether the ids of `others` count the floes
+  sim::RunInfo info;                 ///< without ice where the ice was left out
   const RunBody* find(const std::string& name, bool is_vessel) const;
 };
 

@@ -26,6 +26,9 @@ set yrange [{{y_low}}:*]
 {{#x_range}}
 set xrange [{{low}}:{{high}}]
 {{/x_range}}
+{{#y_range}}
+set yrange [{{low}}:{{high}}]
+{{/y_range}}
 {{#formats}}
 set terminal {{{terminal}}}
 set output '{{file}}'

@@ -48,6 +48,18 @@ TEST(PeakCause, ALoadForwardIsMadeByTheFloeThatPushesForward) {
   EXPECT_NEAR((cause->course - Vec2::UnitY()).norm(), 0, 1e-12);
 }
 
+/// A wall of the tank that pushes harder than all floes takes no part in the load by ice.
+TEST(PeakCause, WallsAndBodiesDoNotCount) {
+  const HullContacts contacts = at_two_seconds({{5, {0, -30, 0}}, {7, {900, -400, 0}}, {9, {0, -50, 0}}});
+  const auto cause = peak_cause(contacts, 2, 0.01, 80, 0, {6, 7});
+  ASSERT_TRUE(cause);
+  EXPECT_EQ(cause->floe, 9);
+  EXPECT_EQ(cause->floes, 2u);
+  EXPECT_NEAR(cause->share, 50.0 / 80, 1e-12);
+  EXPECT_NEAR((cause->course - Vec2::UnitY()).norm(), 0, 1e-12);
+  EXPECT_FALSE(peak_cause(at_two_seconds({{7, {1, 0, 0}}}), 2, 0.01, 1, 0, {7}));
+}
+
 TEST(PeakCause, PlacesOnAVesselHaveNames) {
   geometry::TriangleMesh mesh;
   mesh.vertices = {{0, -2, 0}, {30, 2, 5}};

@@ -256,6 +256,89 @@ TEST_F(ReportPage, ComparesRunsAndNamesHowTheirScenesDiffer) {
   EXPECT_FALSE(fs::exists(in("run/report.html")));
 }
 
+/// The floe that the first sentences name is marked on the plan and on the unrolled hull.
+TEST_F(ReportPage, MarksTheFloeOfTheLargestLoad) {
+  const std::string page = page_of("run");
+  std::smatch found;
+  ASSERT_TRUE(std::regex_search(page, found, std::regex("mostly by (floe \\d+)|, by (floe \\d+)")));
+  const std::string name = found[1].matched ? found[1] : found[2];
+  EXPECT_EQ(data_of(page).at("hull").at("peak").at("name"), name);
+  EXPECT_TRUE(mentions(page, "<path class=\"culprit\" d=\"M"));
+  EXPECT_TRUE(std::regex_search(page, std::regex("class=\"mark-name\"[^>]*>" + name + "<")));
+}
+
+TEST_F(ReportPage, NamesCellsThatAreNoNumber) {
+  EXPECT_FALSE(mentions(page_of("run"), "no finite number"));
+  std::string table = read_text(in("run/vessel.csv"));
+  table.replace(table.rfind(',') + 1, table.size(), "what\n");
+  const std::string column = table.substr(0, table.find('\n')).substr(table.substr(0, table.find('\n')).rfind(',') + 1);
+  folder.write("run/vessel.csv", table);
+  EXPECT_TRUE(mentions(page_of("run"), "1 cell is no finite number and left out of graphs, in " + column));
+}
+
+TEST_F(ReportPage, TheTimesOfPhasesAddUpToTheWallTime) {
+  const std::string page = page_of("run");
+  const Json summary = Json::parse(read_text(in("run/summary.json")));
+  const auto row = [&](const std::string& name) {
+    std::smatch found;
+    return std::regex_search(page, found, std::regex("<tr><th>" + name + "</th><td>([^<]+)</td>")) ? std::stod(found[1])
+                                                                                                   : std::nan("");
+  };
+  const double steps = summary.at("steps").get<double>(), wall = 1e3 * summary.at("wall_s").get<double>() / steps;
+  EXPECT_NEAR(row("all"), wall, 1e-3 * wall);
+  EXPECT_GT(row("other"), 0);
+  EXPECT_LT(row("other"), wall);
+}
+
+TEST_F(ReportPage, DrawsTheTensionsOfMooringLinesAndNamesTheLargest) {
+  std::string moored = k_ship;
+  const std::string carriage = "<carriage speed=\"0.5\" ramp=\"0.05\"/>";
+  std::string lines = "<mooring depth=\"4\" start=\"as-placed\">";
+  for (int k = 0; k < 10; ++k)
+    lines += "<line name=\"m" + std::to_string(k) + "\" fairlead=\"1.5 0 0.3\" anchor=\"" +
+             (k % 2 == 0 ? "13 " : "-10 ") + std::to_string(0.2 * k) + " -4\" length=\"" +
+             (k % 2 == 0 ? "13" : "13.4") + "\" weight=\"3\" stiffness=\"2e4\" damping=\"10\"/>";
+  moored.replace(moored.find(carriage), carriage.size(), lines + "</mooring>");
+  folder.write("moored.xml", moored);
+  const auto result = run_nilas("run moored.xml --quiet --out moored", folder.path());
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const std::string page = page_of("moored");
+  const Table steps(in("moored/steps.csv"));
+  double largest = 0;
+  std::string name;
+  for (int k = 0; k < 10; ++k)
+    for (const double tension : steps["line_m" + std::to_string(k) + "_tension_N"])
+      if (tension > largest) {
+        largest = tension;
+        name = "m" + std::to_string(k);
+      }
+  std::smatch found;
+  ASSERT_TRUE(
+      std::regex_search(page, found, std::regex("largest tension of a mooring line was (\\S+) (k?N) in line (m\\d)")));
+  EXPECT_NEAR(newton(page, std::regex("largest tension of a mooring line was (\\S+) (k?N)")), largest, 1e-3 * largest);
+  EXPECT_EQ(found[3], name);
+  const Json plots = data_of(page).at("plots");
+  const auto plot =
+      std::find_if(plots.begin(), plots.end(), [](const Json& p) { return p.at("id") == "mooring-tension"; });
+  ASSERT_NE(plot, plots.end());
+  const Json& curves = plot->at("curves");
+  ASSERT_EQ(curves.size(), 10u) << "eight lines, the two others, and the largest";
+  EXPECT_EQ(curves.at(0).at("name"), name);
+  EXPECT_EQ(curves.at(8).at("name"), "mean and range of 2 others");
+  EXPECT_EQ(curves.at(8).at("low").size(), curves.at(8).at("x").size());
+  EXPECT_TRUE(mentions(curves.at(9).at("name"), "in " + name));
+}
+
+TEST_F(ReportPage, RunsOfDifferentScalesAreDoubted) {
+  ASSERT_EQ(run_nilas("run run/scene.xml --quiet --scale 20 --out large", folder.path()).exit_code, 0);
+  const auto both = report("run large --json --out both");
+  ASSERT_EQ(both.exit_code, 0) << both.err;
+  const std::string said = Json::parse(both.out).at("headline").dump();
+  EXPECT_TRUE(mentions(said, "These runs are of different scales")) << said;
+  EXPECT_TRUE(mentions(said, "which is 8000 times here")) << said;
+  EXPECT_TRUE(mentions(said, "No error here covers other ice of the same kind")) << said;
+}
+
 TEST_F(ReportPage, WritesFiguresForPapers) {
   const auto result = report("run --figures --out paper");
   ASSERT_EQ(result.exit_code, 0) << result.err;

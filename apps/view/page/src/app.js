@@ -165,6 +165,7 @@ export class App {
   async pick(id) {
     this.picked = id;
     this.world.pick(id);
+    this.legend.update(this.world, this.options);
     if (id === null) {
       this.card.hide();
       return null;

@@ -122,6 +122,29 @@ check('on a phone nothing is wider than the screen, and graphs are resized', asy
   await page.setViewport({ width: 390, height: 800, isMobile: true, hasTouch: true });
   await page.waitForFunction(() => [...document.querySelectorAll('.plot .uplot')].every((plot) => plot.clientWidth <= 390));
   assert.ok(await page.evaluate(() => document.documentElement.scrollWidth) <= 390);
+  const map = await page.$eval('#hull-map', (box) => {
+    const letters = box.querySelector('text'), { width, height } = letters.getBoundingClientRect();
+    return { height, width, mark: box.querySelectorAll('.mark').length, name: box.querySelector('.mark-name').textContent };
+  });
+  assert.ok(map.height >= 11, `letters are ${map.height} pixels high`);
+  assert.equal(map.mark, 1);
+  assert.match(map.name, /^floe \d+$/);
+  // Nothing of the hull is beyond the edge of its picture.
+  const isWhole = await page.evaluate(() => {
+    const { stage } = window.nilasReport.stage, picture = new Image();
+    picture.src = stage.capture();
+    return picture.decode().then(() => {
+      const canvas = document.createElement('canvas'), { width, height } = picture;
+      Object.assign(canvas, { width, height });
+      const drawing = canvas.getContext('2d');
+      drawing.drawImage(picture, 0, 0);
+      const at = (x, y) => drawing.getImageData(x, y, 1, 1).data.join();
+      const edge = [...Array.from({ length: width }, (_, x) => [[x, 0], [x, height - 1]]).flat(),
+                    ...Array.from({ length: height }, (_, y) => [[0, y], [width - 1, y]]).flat()];
+      return edge.every(([x, y]) => at(x, y) === at(0, 0));
+    });
+  });
+  assert.ok(isWhole, 'the hull is cut by the edge of its picture');
   assert.deepEqual(faults, []);
 });
 

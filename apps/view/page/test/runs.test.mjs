@@ -1,7 +1,11 @@
-/** The page of runs of the program, which the environment variable NILAS names: level ice that breaks, and a moored ship in waves. */
+/**
+ * The page of runs of the program, which the environment variable NILAS names: a tow after its end and while it goes on,
+ * level ice that breaks, and a moored ship in waves.
+ */
 import assert from 'node:assert/strict';
-import { execFileSync } from 'node:child_process';
-import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { execFileSync, spawn } from 'node:child_process';
+import { once } from 'node:events';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
@@ -15,6 +19,18 @@ const CONTACT = `<contact law="coulomb" solver="nsgs" tolerance="1e-3" max_itera
     <friction between="hull ice" static="0.1" kinetic="0.1"/><friction between="ice ice" static="0.3" kinetic="0.3"/>
   </contact>`;
 const HULL = '<hull generate="icebreaker" length="3" beam="0.8" draught="0.2" depth="0.4" triangles="300"/>';
+
+const TOWING = `<scene version="1" name="towing">
+  <time step="0.01" end="2"/>${CONTACT}
+  <water density="1005"/><hydro><buoyancy/><drag form="1" skin="0.005"/></hydro>
+  <vessel name="ship" position="0 0">${HULL}<mass draught="0.2"/><carriage speed="0.5" ramp="0.05"/></vessel>
+  <tank length="8" width="4" depth="1"/>
+  <ice thickness="0.05">
+    <floe name="port" outline="3 0.02 3.5 0.02 3.5 0.5 3 0.5"/><floe name="starboard" outline="3.05 -0.6 3.5 -0.6 3.5 -0.02 3.05 -0.02"/>
+    <floe name="ahead" outline="3.55 -0.3 4.1 -0.3 4.1 0.4 3.55 0.4"/>
+  </ice>
+  <output trajectory_every="0.1"/>
+</scene>`;
 
 const LEVEL_ICE = `<scene version="1" name="level">
   <time step="0.01" end="2"/>${CONTACT}
@@ -57,6 +73,23 @@ after(async () => {
   if (folder) rmSync(folder, { recursive: true });
 });
 
+/** The columns of vessel.csv in the step that ends at a time. */
+function vesselAt(name, time) {
+  const [head, ...rows] = readFileSync(join(folder, name, 'vessel.csv'), 'utf8').trim().split('\n').map((row) => row.split(','));
+  const row = rows.find(([t]) => Math.abs(Number(t) - time) < 1e-6);
+  return Object.fromEntries(head.map((column, k) => [column, Number(row[k])]));
+}
+
+/** The arrows on the vessel add up to the contact force of vessel.csv, as the rows of contacts.h5 do. */
+function demandArrowsOfTable({ arrows, time }, name) {
+  const row = vesselAt(name, time), vessel = arrows.filter(({ on, exact }) => on === 1 && exact);
+  assert.ok(vessel.length > 0, `no arrow on the vessel at ${time} s`);
+  ['x', 'y', 'z'].forEach((axis, k) => {
+    const sum = vessel.reduce((total, { force }) => total + force[k], 0), size = vessel.reduce((total, { force }) => total + Math.abs(force[k]), 0);
+    assert.ok(Math.abs(sum - row[`contact_f${axis}_N`]) <= 1e-5 * size + 1e-9, `${sum} N along ${axis} instead of ${row[`contact_f${axis}_N`]} N`);
+  });
+}
+
 /** Runs a scene. Returns the address of its page. */
 function pageOf(name, scene) {
   writeFileSync(join(folder, `${name}.xml`), scene);
@@ -69,13 +102,13 @@ function pageOf(name, scene) {
 const frame = (page) => page.evaluate(() => window.nilas.frame);
 
 /** Moves the time, turns the switches, picks a floe, and looks at it on a phone. */
-async function visit(address, { silent }) {
+async function visit(address, { silent, at = 1.23 }) {
   const { page, faults, requests } = await openPage(browser, address, { width: 640, height: 480 });
   await page.keyboard.press('End');
   await page.waitForFunction(() => window.nilas.frame === window.nilas.frameCount - 1);
   await page.keyboard.press('ArrowLeft');
-  await page.evaluate(() => window.nilas.seek(1.23));
-  assert.equal(await frame(page), 12);
+  await page.evaluate((t) => window.nilas.seek(t), at);
+  assert.equal(await frame(page), Math.floor(10 * at));
   for (const [name, changes] of Object.entries(await turnSwitches(page))) {
     if (!silent.includes(name)) assert.ok(changes.some(Boolean), `"${name}" changes nothing`);
   }
@@ -88,8 +121,10 @@ async function visit(address, { silent }) {
   await page.mouse.click(floe.x, floe.y);
   await page.waitForFunction(() => !document.getElementById('card').hidden);
   assert.match(await page.$eval('#card', (card) => card.textContent), /Mass.*Speed/);
-  const state = await page.evaluate(() => ({ ...window.nilas.state(), notices: window.nilas.notices }));
+  const state = await page.evaluate(() => ({ ...window.nilas.state(), notices: window.nilas.notices,
+    time: Math.round(1000 * window.nilas.time) / 1000, legendText: document.getElementById('legend').textContent }));
   assert.equal(state.picked, floe.id);
+  assert.match(state.legendText, /picked/);
   assert.deepEqual(state.notices, []);
   await page.setViewport({ width: 375, height: 720, isMobile: true, hasTouch: true });
   assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 375);
@@ -101,14 +136,59 @@ async function visit(address, { silent }) {
 
 const check = (name, body) => test(name, { skip: missing ?? false, timeout: 300000 }, body);
 
+check('a tow is shown, with the forces of its table', async () => {
+  const state = await visit(pageOf('towing', TOWING), { silent: ['follow', 'damage'] });
+  assert.match(state.legendText, /force of the carriage/);
+  demandArrowsOfTable(state, 'towing');
+});
+
+check('a tow is shown while it goes on, from this machine alone', async () => {
+  writeFileSync(join(folder, 'long.xml'), TOWING.replace('end="2"', 'end="600"'));
+  const run = spawn(process.env.NILAS, ['run', 'long.xml', '--quiet', '--out', 'long', '--view'], { cwd: folder, stdio: ['ignore', 'ignore', 'pipe'] });
+  try {
+    let said = '';
+    for await (const part of run.stderr) if (/http\S+\n/.test(said += part)) break;
+    const { page, faults, requests } = await openPage(browser, said.match(/http\S+/)[0], { width: 640, height: 480 });
+    await page.waitForFunction(() => window.nilas.frameCount > 8);
+    await page.evaluate(() => [...document.querySelectorAll('#controls button')].find((button) => button.title === 'Pause the run').click());
+    await page.evaluate(() => window.nilas.seek(0.75));
+    assert.equal(await frame(page), 7);
+    for (const [name, changes] of Object.entries(await turnSwitches(page)))
+      if (!['follow', 'damage'].includes(name)) assert.ok(changes.some(Boolean), `"${name}" changes nothing`);
+    await page.evaluate(() => {
+      for (const name of ['graphs', 'panel']) window.nilas.set(name, false);
+      window.nilas.set('view', 'top');
+    });
+    const floe = await floeOnScreen(page, 2);
+    await page.mouse.click(floe.x, floe.y);
+    await page.waitForFunction(() => !document.getElementById('card').hidden);
+    const state = await page.evaluate(() => ({ ...window.nilas.state(), time: Math.round(1000 * window.nilas.time) / 1000 }));
+    assert.equal(state.picked, floe.id);
+    demandArrowsOfTable(state, 'long');
+    await page.setViewport({ width: 375, height: 720, isMobile: true, hasTouch: true });
+    assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 375);
+    assert.deepEqual(faults, []);
+    assert.deepEqual(requests, []);
+    await page.close();
+    assert.equal(run.exitCode, null, 'to close the page ended the run');
+  } finally {
+    run.stderr.resume();
+    const ended = once(run, 'exit');
+    run.kill('SIGINT');
+    await ended;
+  }
+});
+
 check('a run in level ice is shown, with the pieces that break off', async () => {
   const state = await visit(pageOf('level', LEVEL_ICE), { silent: ['follow', 'tank', 'lines', 'damage'] });
   assert.ok(state.bodiesInFrame > 4, `${state.bodiesInFrame} bodies`);
-  assert.ok(state.arrows.length > 0);
+  demandArrowsOfTable(state, 'level');
 });
 
 check('a moored ship in waves is shown with its lines, and with the waves on the water', async () => {
   const state = await visit(pageOf('moored', MOORED), { silent: ['follow', 'tank'] });
+  demandArrowsOfTable(state, 'moored');
+  assert.match(state.legendText, /mooring line.*fairlead or anchor/);
   assert.equal(state.lines, 4);
   assert.equal(state.waves, 1);
   assert.equal(state.bodies, 3);

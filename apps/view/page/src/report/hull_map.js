@@ -3,7 +3,7 @@ import { el } from '../ui/dom.js';
 import { formatRound, formatValue } from '../ui/format.js';
 import { leastOf, loadColour } from './load_colour.js';
 
-const WIDTH = 1060, LEFT = 56, RIGHT = 12, TOP = 14, FOOT = 46, LEAST_HEIGHT = 150, MOST_HEIGHT = 420;
+const LEFT = 46, RIGHT = 12, TOP = 14, FOOT = 24, LEAST_WIDTH = 260, LEAST_HEIGHT = 150, MOST_HEIGHT = 420, PIXELS_PER_TICK = 70;
 
 /** An element of SVG. */
 function svg(tag, attributes = {}, ...children) {
@@ -22,21 +22,40 @@ function ticks(low, high, most) {
   return list;
 }
 
+/** A ring where the largest load acted, with the name of what made it. */
+function peakMark({ name }, x, y, right) {
+  const isRight = x > 0.6 * right;
+  return [svg('circle', { class: 'mark', cx: x, cy: y, r: 8 }),
+          svg('text', { class: 'mark-name', x: x + (isRight ? -12 : 12), y: y - 8, 'text-anchor': isRight ? 'end' : 'start' }, name)];
+}
+
+/** Draws the map in a box, and again whenever the width of the box changes, so that letters keep their size. */
+export function drawHullMap(box, hull) {
+  let drawn = 0;
+  new ResizeObserver(() => {
+    const width = Math.max(box.clientWidth, LEAST_WIDTH);
+    if (width === drawn) return;
+    drawn = width;
+    box.replaceChildren(...hullMap(hull, width));
+  }).observe(box);
+  drawn = Math.max(box.clientWidth, LEAST_WIDTH);
+  box.replaceChildren(...hullMap(hull, drawn));
+}
+
 /**
  * The impulse by place on the unrolled surface: along the waterline to the right, the height above the water upwards.
  * Heights are stretched where the picture would be too flat to read.
  */
-export function drawHullMap(box, hull) {
-  const { cells, width: side, outline, water } = hull;
+function hullMap({ cells, width: side, outline, water, peak: load, vessel }, whole) {
   const largest = Math.max(...cells.map((cell) => cell[5]));
   const heights = cells.map((cell) => cell[1] - water);
   const low = Math.min(...heights, 0) - 2 * side, high = Math.max(...heights, 0) + 2 * side;
-  const across = (WIDTH - LEFT - RIGHT) / outline;
+  const across = (whole - LEFT - RIGHT) / outline;
   const height = Math.min(Math.max(across * (high - low), LEAST_HEIGHT), MOST_HEIGHT), up = height / (high - low);
   const x = (along) => LEFT + (along + outline / 2) * across, y = (z) => TOP + (high - z) * up;
-  const picture = svg('svg', { viewBox: `0 0 ${WIDTH} ${TOP + height + FOOT}`, role: 'img', 'aria-label': 'Impulse by place on the unrolled surface' });
-  picture.append(svg('rect', { class: 'axis', x: LEFT, y: TOP, width: WIDTH - LEFT - RIGHT, height }));
-  for (const at of ticks(-outline / 2, outline / 2, 10))
+  const picture = svg('svg', { viewBox: `0 0 ${whole} ${TOP + height + FOOT}`, role: 'img', 'aria-label': 'Impulse by place on the unrolled surface' });
+  picture.append(svg('rect', { class: 'axis', x: LEFT, y: TOP, width: whole - LEFT - RIGHT, height }));
+  for (const at of ticks(-outline / 2, outline / 2, Math.min(10, Math.floor(whole / PIXELS_PER_TICK))))
     picture.append(svg('text', { x: x(at), y: TOP + height + 16, 'text-anchor': 'middle' }, formatRound(at)));
   for (const at of ticks(low, high, 5))
     picture.append(svg('text', { x: LEFT - 6, y: y(at) + 4, 'text-anchor': 'end' }, formatRound(at)));
@@ -45,9 +64,11 @@ export function drawHullMap(box, hull) {
     picture.append(svg('rect', { x: x(along - side / 2), y: y(z - water + side / 2), width: side * across, height: side * up,
                                  fill: `rgb(${loadColour(impulse, largest).join(' ')})` }, title));
   }
-  picture.append(svg('line', { class: 'waterline', x1: LEFT, x2: WIDTH - RIGHT, y1: y(0), y2: y(0) }));
-  const ends = hull.vessel ? 'along the waterline [m]: starboard left of the bow at 0, port right' : 'along the waterline [m], 0 towards the ice';
-  picture.append(svg('text', { x: LEFT, y: TOP + height + 36 }, `${ends}. Upwards: height above the water [m]${up > 1.01 * across ? `, stretched ${(up / across).toPrecision(2)} times` : ''}`));
+  picture.append(svg('line', { class: 'waterline', x1: LEFT, x2: whole - RIGHT, y1: y(0), y2: y(0) }));
+  if (load) picture.append(...peakMark(load, x(load.along), y(load.height - water), whole));
+  const ends = vessel ? 'along the waterline [m], with the bow at 0, starboard left and port right' : 'along the waterline [m], with 0 towards the ice';
+  const stretched = up > 1.01 * across ? `, stretched ${(up / across).toPrecision(2)} times` : '';
   const ramp = el('i', { style: `background: ${RAMP_CSS}` });
-  box.append(picture, el('div', { class: 'ramp' }, `up to ${formatValue(leastOf(largest), 'Ns')}`, ramp, `${formatValue(largest, 'Ns')} per square, logarithmic`));
+  return [picture, el('p', {}, `To the right: ${ends}. Upwards: height above the water [m]${stretched}.`),
+          el('div', { class: 'ramp' }, `up to ${formatValue(leastOf(largest), 'Ns')}`, ramp, `${formatValue(largest, 'Ns')} per square, logarithmic`)];
 }

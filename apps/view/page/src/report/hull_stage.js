@@ -97,6 +97,15 @@ function colouredMesh(hull) {
   return new THREE.Mesh(geometry, faceMaterial());
 }
 
+/** Distances in lengths of the hull; the share of the picture that the hull may fill; angles of the camera. */
+const LEAST_FAR = 0.5, MOST_FAR = 8, FARTHER = 1.05, MARGIN = 0.92, ELEVATION_DEG = 12, ASIDE_DEG = 33;
+
+/** The heading of a camera that has most of the load in sight, a little from the side [deg]. */
+function headingToLoad({ cells }, { x, y }) {
+  const sum = cells.reduce(([a, b], [, , cx, cy, , impulse]) => [a + impulse * (cx - x), b + impulse * (cy - y)], [0, 0]);
+  return 180 + ASIDE_DEG + Math.atan2(sum[1], sum[0]) * 180 / Math.PI;
+}
+
 /** The hull in 3-D, coloured by the impulse about each place. */
 export class HullStage {
   constructor(box, hull) {
@@ -106,10 +115,36 @@ export class HullStage {
     this.stage.scene.add(mesh);
     mesh.geometry.computeBoundingBox();
     const bounds = mesh.geometry.boundingBox, size = bounds.getSize(new THREE.Vector3());
-    const length = Math.max(size.x, size.y, size.z), place = bounds.getCenter(new THREE.Vector3());
-    this.stage.camera.setLength(length);
-    this.stage.camera.look(place, 213, 12, 1.15 * length);
+    this.length = Math.max(size.x, size.y, size.z);
+    this.place = bounds.getCenter(new THREE.Vector3());
+    this.hull = hull;
+    this.headingDeg = headingToLoad(hull, this.place);
+    this.stage.camera.setLength(this.length);
+    // Until the user turns it, the whole hull is in sight.
+    let isMoved = false;
+    this.stage.camera.controls.addEventListener('start', () => { isMoved = true; });
+    new ResizeObserver(() => { if (!isMoved) this.#showAll(); }).observe(box);
+    this.#showAll();
     this.repaint();
+  }
+
+  /** Looks at the hull from as near as shows all of it. */
+  #showAll() {
+    const { stage, length, place, headingDeg, hull: { vertices } } = this, { camera } = stage, corner = new THREE.Vector3();
+    const isSeen = () => {
+      for (let k = 0; k < vertices.length; k += 3) {
+        const { x, y } = corner.fromArray(vertices, k).project(camera.camera);
+        if (Math.abs(x) > MARGIN || Math.abs(y) > MARGIN) return false;
+      }
+      return true;
+    };
+    stage.resize();
+    for (let far = LEAST_FAR; far < MOST_FAR; far *= FARTHER) {
+      camera.look(place, headingDeg, ELEVATION_DEG, far * length);
+      camera.fit();
+      if (isSeen()) break;
+    }
+    stage.invalidate();
   }
 
   repaint() {

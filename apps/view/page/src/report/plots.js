@@ -3,7 +3,7 @@ import { isNarrow } from '../ui/dom.js';
 import { formatRound } from '../ui/format.js';
 import { styleOf } from './theme.js';
 
-const HEIGHT = 270, HEIGHT_NARROW = 230, COLOURS = 7;
+const HEIGHT = 270, HEIGHT_NARROW = 230, COLOURS = 12;
 /** A logarithmic axis shows at most so many decades below the largest value. */
 const DECADES = 8;
 
@@ -29,8 +29,8 @@ function columnsOfLevel({ y, half_width: half }, low, high) {
 }
 
 /** The series of one line and, where it has one, of its range. `first`: the number of its series. */
-function seriesOf({ name, colour, dots, steps, dash, width = 1.3, range }, first) {
-  const line = { label: name, stroke: colour, width: dots ? 0 : width, dash, points: { show: Boolean(dots), size: 4, fill: colour },
+function seriesOf({ name, colour, dots, isSingle, steps, dash, width = 1.3, range }, first) {
+  const line = { label: name, stroke: colour, width: dots ? 0 : width, dash, points: { show: Boolean(dots), size: dots && isSingle ? 9 : 4, fill: colour },
                  value: (_, value) => value == null ? '–' : formatRound(Number(value.toPrecision(4))) };
   if (steps) line.paths = uPlot.paths.stepped({ align: 1 });
   if (dots) line.paths = () => null;
@@ -55,7 +55,7 @@ function contentOf({ curves, levels, x_label: xLabel }) {
   }
   curves.forEach((curve, k) => {
     const hasRange = curve.low.length > 0, colour = colourOf(k);
-    add(columnsOf(curve, hasRange), { name: curve.name, colour, dots: curve.dots, steps: curve.steps, dash: k < COLOURS ? undefined : [8, 3],
+    add(columnsOf(curve, hasRange), { name: curve.name, colour, dots: curve.dots, isSingle: curve.x.length === 1, steps: curve.steps, dash: k < COLOURS ? undefined : [8, 3],
                                       range: hasRange ? withAlpha(colour, 0.25) : null });
   });
   return { data: uPlot.join(tables), series, bands };
@@ -64,6 +64,15 @@ function contentOf({ curves, levels, x_label: xLabel }) {
 /** The range of a logarithmic axis. */
 function decadesOf(_, low, high) {
   return high > 0 ? uPlot.rangeLog(Math.max(low, high / 10 ** DECADES), high, 10, true) : [0.1, 1];
+}
+
+/** The range of an axis that has this one while all of x is shown, and that of the values in sight where x is enlarged. */
+function rangeOfWhole(whole, curves) {
+  const xs = curves.flatMap(({ x }) => [x[0], x[x.length - 1]]), from = Math.min(...xs), to = Math.max(...xs);
+  return ({ scales: { x } }, low, high) => {
+    const isWhole = x.min <= from + 1e-9 && x.max >= to - 1e-9;
+    return isWhole ? whole : uPlot.rangeNum(low, high, 0.1, true);
+  };
 }
 
 /** All plots of the page. Those over the time of the run show the same stretch of it. */
@@ -98,13 +107,13 @@ export class Plots {
     return { id: entry.id, plot, box, overTime: entry.over_time };
   }
 
-  #options({ x_label: xLabel, y_label: yLabel, log_x: logX, log_y: logY }, width) {
+  #options({ x_label: xLabel, y_label: yLabel, log_x: logX, log_y: logY, y_range: range, curves }, width) {
     const axis = { stroke: styleOf('soft'), font: '12px system-ui, sans-serif', labelFont: '13px system-ui, sans-serif', labelSize: 22,
                    grid: { stroke: styleOf('grid'), width: 1 }, ticks: { stroke: styleOf('grid'), width: 1 },
                    values: (_, ticks) => ticks.map((tick) => tick == null ? '' : formatRound(tick)) };
     return {
       width: Math.max(width, 200), height: isNarrow() ? HEIGHT_NARROW : HEIGHT,
-      scales: { x: { time: false, distr: logX ? 3 : 1 }, y: logY ? { distr: 3, range: decadesOf } : {} },
+      scales: { x: { time: false, distr: logX ? 3 : 1 }, y: logY ? { distr: 3, range: decadesOf } : range ? { range: rangeOfWhole(range, curves) } : {} },
       axes: [{ ...axis, label: xLabel, size: 32 }, { ...axis, label: yLabel, size: 62 }],
       cursor: { drag: { x: true, y: false }, points: { size: 6 } }, padding: [8, 12, 0, 0],
     };

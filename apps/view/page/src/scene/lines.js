@@ -3,7 +3,8 @@ import { Dots } from './dots.js';
 import { COLOURS } from './shading.js';
 
 export const LineKind = { mooring: 0, rod: 1, thruster: 2, carriage: 3, wind: 4, path: 5 };
-const COLOUR = [COLOURS.mooring, COLOURS.rod, COLOURS.thruster, COLOURS.carriage, COLOURS.wind, COLOURS.path];
+/** The colours of the kinds, in their order. */
+export const LINE_COLOURS = [COLOURS.mooring, COLOURS.rod, COLOURS.thruster, COLOURS.carriage, COLOURS.wind, COLOURS.path];
 const WIDTH = [0.0016, 0.006, 0.006, 0.006, 0.006, 0.002];
 
 /** Mooring lines, rods, paths, and the forces of thrusters, carriage and wind. */
@@ -23,7 +24,7 @@ export class LineLayer {
   }
 
   #add({ kind, force, points }, length, metresPerNewton) {
-    const colour = COLOUR[kind] ?? COLOURS.rod, width = (WIDTH[kind] ?? 0.002) * length, count = points.length / 3;
+    const colour = LINE_COLOURS[kind] ?? COLOURS.rod, width = (WIDTH[kind] ?? 0.002) * length, count = points.length / 3;
     if (kind >= LineKind.thruster && kind <= LineKind.wind && count >= 2) {
       this.#addForce(points, force, length, metresPerNewton, width, colour);
       return;

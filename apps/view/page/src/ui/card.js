@@ -68,7 +68,7 @@ export class Card {
       return;
     }
     const rows = el('dl');
-    const row = (label, value) => rows.append(el('dt', {}, label), el('dd', {}, value));
+    const row = (label, value) => rows.append(el('div', {}, el('dt', {}, label), el('dd', {}, value)));
     row('Mass', body.isFixed ? 'fixed' : formatMass(body.mass));
     if (body.thickness > 0) row('Thickness', formatLength(body.thickness));
     row('Speed', body.speed === null ? '–' : formatValue(body.speed, 'm_s'));

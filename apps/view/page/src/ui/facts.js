@@ -11,7 +11,7 @@ export class FactsBar {
     box.append(el('h1', { title: recording.head?.program ?? '' }, title || recording.head?.scene || 'Nilas'));
     const list = el('div', { class: 'list' });
     box.append(list);
-    for (const [name, label, isMinor] of [['time', 'Time'], ['load', 'Ice load'], ['floes', 'Floes', true], ['contacts', 'Contacts', true]]) {
+    for (const [name, label, isMinor] of [['time', 'Time'], ['load', 'Ice load'], ['floes', 'Floes', true], ['contacts', 'Contact points', true]]) {
       const value = el('b', {}, '–'), small = el('small', {}, label);
       this.#texts.set(name, { value, small });
       list.append(el('div', { class: isMinor ? 'fact minor' : 'fact' }, small, value));
@@ -34,21 +34,44 @@ export class FactsBar {
     set('time', head.until > 0 ? `${time} s of ${Number(head.until.toPrecision(6))} s` : `${time} s`);
     const load = iceLoad(head, frame);
     setText(this.#texts.get('load').small, load.label);
-    set('load', load.value === null ? '–' : formatValue(load.value, 'N'));
+    set('load', load.value === null ? '–' : load.sides ? sidedForce(load.value, load.sides) : formatValue(load.value, 'N'));
     let floes = 0;
     for (const kind of frame.bodies.kind) if (kind === BodyKind.floe) ++floes;
     set('floes', String(floes));
-    set('contacts', String(frame.contacts.count));
+    const { label, value, meaning } = contactCount(frame, head);
+    const { small } = this.#texts.get('contacts');
+    setText(small, label);
+    small.parentElement.title = meaning;
+    set('contacts', value);
   }
 }
 
+/** A force with its side instead of its sign. */
+function sidedForce(value, [positive, negative]) {
+  const text = formatValue(Math.abs(value), 'N');
+  return Number.isFinite(value) && value !== 0 ? `${text} ${value > 0 ? positive : negative}` : text;
+}
+
+/** The contacts of a frame. Those between floes are summed, one a pair, unless the run stores all. */
+function contactCount({ contacts }, head) {
+  let points = 0;
+  for (const isExact of contacts.exact.subarray(0, contacts.count)) if (isExact) ++points;
+  if (head.contacts === 'all' || points === contacts.count)
+    return { label: 'Contact points', value: String(contacts.count), meaning: 'The points in which bodies touch' };
+  return { label: 'Points + pairs', value: `${points} + ${contacts.count - points}`,
+           meaning: 'Contact points of the vessel and of fixed bodies, and pairs of floes that touch. A pair has several points.' };
+}
+
 /**
- * The ice load of a frame [N]: the resistance in the ice if the run has it, else the sum of the contact forces on the
+ * The ice load of a frame [N], with words for its signs where it has a sign: the resistance in the ice if the run has it, else the sum of the contact forces on the
  * vessel or on fixed bodies.
  */
 export function iceLoad(head, frame) {
   const c = head.channels.findIndex(({ name }) => /(^|_)ice_resistance$/.test(name));
-  if (c >= 0) return { label: 'Ice resistance', value: frame.channels[3 * c] };
+  if (c >= 0) {
+    const isVessel = head.channels[c].name === 'ice_resistance';
+    return { label: 'Ice load', value: frame.channels[3 * c], sides: isVessel ? ['astern', 'forward'] : ['along the drift', 'against it'] };
+  }
   const sum = [0, 0, 0], { bodies, contacts } = frame;
   const carries = (b) => bodies.kind[b] === BodyKind.vessel || bodies.kind[b] === BodyKind.part ||
     (bodies.kind[b] === BodyKind.rigid && bodies.fixed[b]);

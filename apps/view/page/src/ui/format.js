@@ -45,8 +45,12 @@ export function formatLength(length) { return length < 0.1 ? `${formatNumber(100
 /** A time [s] with as many digits as frames need. */
 export function formatTime(time, every) { return time.toFixed(every >= 1 ? 0 : Math.min(3, Math.ceil(-Math.log10(every) - 1e-9))); }
 
-/** The name of a channel for readers: `ice_resistance` becomes `Ice resistance`, `contact_fx` becomes `Contact Fx`. */
+/** Names that do not say what a channel is. Contacts of a step are points, those between floes of a frame are pairs. */
+const TITLES = { contacts: 'Contact points', ice_resistance: 'Ice resistance, + astern', ice_side: 'Ice side, + to port' };
+
+/** The name of a channel for readers: `work_drag` becomes `Work drag`, `contact_fx` becomes `Contact Fx`. */
 export function channelTitle(name) {
+  if (TITLES[name]) return TITLES[name];
   const text = name.replaceAll('_', ' ').replace(/\b([fm])([xyz])\b/g, (_, kind, axis) => kind.toUpperCase() + axis);
   return text.charAt(0).toUpperCase() + text.slice(1);
 }

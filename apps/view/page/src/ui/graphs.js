@@ -76,13 +76,18 @@ export class Graphs {
     const { name, unit } = this.recording.head.channels[c];
     const data = this.#data(c);
     const [factor, text] = unitFor(largest(data), unit);
-    const value = el('b'), box = el('div');
-    const element = el('div', { class: 'chart' }, el('h3', { title: name }, el('span', {}, `${channelTitle(name)}${text ? ` [${text}]` : ''}`), value), box);
+    const value = el('b'), box = el('div'), note = el('small');
+    const title = `${channelTitle(name)}${text ? ` [${text}]` : ''}`;
+    const element = el('div', { class: 'chart' }, el('h3', { title: name }, el('span', {}, title, note), value), box);
     this.grid.append(element);
     const now = el('div', { class: 'now' });
     // The plot takes over new data and sizes only when it draws, so the mark is placed then.
-    const hooks = { draw: [() => this.mark()] };
-    const plot = new uPlot({ ...chartOptions(factor, this.#width()), hooks }, data, box);
+    const hooks = { draw: [({ data: drawn }) => {
+      const isCut = hasRamp(name) && rangeAfterRamp(drawn) !== null;
+      setText(note, isCut ? ` up to ${formatValue(largest(drawn), unit)} at the start` : '');
+      this.mark();
+    }] };
+    const plot = new uPlot({ ...chartOptions(factor, this.#width(), hasRamp(name)), hooks }, data, box);
     plot.over.append(now);
     plot.over.addEventListener('click', (event) => {
       this.player.pause();
@@ -155,10 +160,32 @@ function largest([, low, high]) {
   return size;
 }
 
-function chartOptions(factor, width) {
+/** Whether a channel is the pull of a carriage, whose ramp at the start is no load of the ice. */
+const hasRamp = (name) => /^(carriage|cell\d)/.test(name);
+
+const RAMP_SHARE = 0.25, MUCH = 2.5, MARGIN = 0.1;
+
+/** The range of the later part of a channel where the start would make it flat, else null. */
+function rangeAfterRamp([time, low, high]) {
+  const end = time[0] + RAMP_SHARE * (time[time.length - 1] - time[0]);
+  const all = [Infinity, -Infinity], late = [Infinity, -Infinity];
+  for (let k = 0; k < time.length; ++k) {
+    if (low[k] === null) continue;
+    for (const range of time[k] > end ? [all, late] : [all]) {
+      range[0] = Math.min(range[0], low[k]);
+      range[1] = Math.max(range[1], high[k]);
+    }
+  }
+  const size = late[1] - late[0];
+  return size > 0 && all[1] - all[0] > MUCH * size ? [late[0] - MARGIN * size, late[1] + MARGIN * size] : null;
+}
+
+function chartOptions(factor, width, isRamped) {
   const axis = { stroke: '#5a6b78', font: '11px system-ui, sans-serif', grid: { stroke: '#e6ecf0', width: 1 }, ticks: { show: false } };
   return {
-    width, height: HEIGHT, legend: { show: false }, scales: { x: { time: false } }, padding: [6, 14, 0, 0],
+    width, height: HEIGHT, legend: { show: false }, padding: [6, 14, 0, 0],
+    scales: { x: { time: false },
+              y: isRamped ? { range: ({ data }, low, high) => rangeAfterRamp(data) ?? uPlot.rangeNum(low ?? 0, high ?? 1, MARGIN, true) } : {} },
     cursor: { y: false, points: { show: false }, drag: { x: false, y: false } },
     axes: [{ ...axis, size: 22, values: (_, ticks) => ticks.map((t) => `${formatRound(t)} s`) },
            { ...axis, size: 46, values: (_, ticks) => ticks.map((y) => formatRound(factor * y)) }],
