@@ -1,11 +1,10 @@
 #include "apps/view/page.h"
 
 #include <nlohmann/json.hpp>
-#include <span>
 
+#include "apps/view/block_text.h"
 #include "apps/view/page_template.h"
 #include "core/base/error.h"
-#include "core/output/file/base64.h"
 #include "core/output/text/html.h"
 #include "core/output/text/script_json.h"
 
@@ -13,9 +12,8 @@ namespace nilas::view {
 
 namespace {
 
-/// Browsers handle several texts of this size better than one of ten times the size. A multiple of 3 keeps each whole.
-constexpr std::size_t k_block_bytes = 6 << 20;
-static_assert(k_block_bytes % 3 == 0);
+/// Browsers handle several texts of this size better than one of ten times the size.
+constexpr std::size_t k_block_bytes = k_block_text_bytes << 19;
 
 void replace(std::string& page, std::string_view name, const std::string& text) {
   const auto at = page.find(name);
@@ -50,7 +48,7 @@ std::string replay_page(const std::string& title, std::string_view bytes) {
   std::string blocks;
   for (std::size_t at = 0, k = 0; at < bytes.size(); at += k_block_bytes, ++k) {
     blocks += "<script type=\"application/octet-stream\" id=\"replay-" + std::to_string(k) + "\">";
-    output::add_base64(std::as_bytes(std::span(bytes.substr(at, k_block_bytes))), blocks);
+    add_block_text(bytes.substr(at, k_block_bytes), blocks);
     blocks += "</script>\n";
   }
   return filled(title, {{"title", title}, {"live", false}}, blocks);

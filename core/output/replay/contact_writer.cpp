@@ -12,11 +12,14 @@ namespace nilas::output::replay {
 
 namespace {
 
-constexpr double k_normal_unit = 127, k_point_units = 4, k_pair_point_units = 128;
+constexpr double k_normal_unit = 127, k_point_units = 4, k_pair_point_units = 256;
 constexpr int k_stored_flag = 64;
-/// Angles of pairs are counted in these steps of a circle, and the size of forces in these steps of a decade.
-constexpr std::int64_t k_circle = 128;
-constexpr double k_angle = 2 * k_pi / static_cast<double>(k_circle), k_force_step = 1.0 / 28, k_least_force = 1e-12;
+/// Normals and forces of pairs are counted in these steps of a circle, and the size of forces in these steps of a
+/// decade.
+constexpr std::int64_t k_circle = 128, k_force_circle = 64;
+constexpr double k_angle = 2 * k_pi / static_cast<double>(k_circle),
+                 k_force_angle = 2 * k_pi / static_cast<double>(k_force_circle), k_force_step = 1.0 / 20,
+                 k_least_force = 1e-12;
 /// The numbers of a pair, in the order of the file. Those around the z axis are the same after a whole circle.
 enum PairNumber : std::size_t {
   normal_around,
@@ -29,12 +32,12 @@ enum PairNumber : std::size_t {
   force_around
 };
 
-std::int64_t around(const Vec3& v) { return in_units(std::atan2(v.y(), v.x()), k_angle); }
-std::int64_t up(const Vec3& v) { return in_units(std::asin(std::clamp(v.z() / v.norm(), -1.0, 1.0)), k_angle); }
-/// The same angle nearest to zero.
-std::int64_t wrapped(std::int64_t steps) {
-  const std::int64_t rest = ((steps + k_circle / 2) % k_circle + k_circle) % k_circle;
-  return rest - k_circle / 2;
+double around(const Vec3& v) { return std::atan2(v.y(), v.x()); }
+double up(const Vec3& v) { return std::asin(std::clamp(v.z() / v.norm(), -1.0, 1.0)); }
+/// The same angle nearest to zero, in steps of a circle.
+std::int64_t wrapped(std::int64_t steps, std::int64_t circle) {
+  const std::int64_t rest = ((steps + circle / 2) % circle + circle) % circle;
+  return rest - circle / 2;
 }
 
 std::array<std::int64_t, 8> numbers_of(const FrameContact& contact, const bodies::Bodies& bodies, double unit) {
@@ -43,13 +46,17 @@ std::array<std::int64_t, 8> numbers_of(const FrameContact& contact, const bodies
   const Vec3 point = to_body * (contact.p_G - bodies.p_GB[b]), normal = to_body * contact.n;
   const Vec3 force = to_body * contact.force;
   std::array<std::int64_t, 8> numbers{};
-  numbers[normal_around] = around(normal);
-  numbers[normal_up] = up(normal);
-  numbers[force_up] = up(force) - numbers[normal_up];
+  numbers[normal_around] = in_units(around(normal), k_angle);
+  numbers[normal_up] = in_units(up(normal), k_angle);
+  // The angles of a force count from the normal as it is stored.
+  const auto beyond = [](double angle, std::int64_t stored) {
+    return in_units(angle - k_angle * static_cast<double>(stored), k_force_angle);
+  };
+  numbers[force_up] = beyond(up(force), numbers[normal_up]);
   for (int k = 0; k < 3; ++k)
     numbers[point_x + static_cast<std::size_t>(k)] = in_units(point[k], k_pair_point_units * unit);
   numbers[force_size] = in_units(std::log10(std::max(force.norm(), k_least_force)), k_force_step);
-  numbers[force_around] = wrapped(around(force) - numbers[normal_around]);
+  numbers[force_around] = wrapped(beyond(around(force), numbers[normal_around]), k_force_circle);
   return numbers;
 }
 
@@ -138,7 +145,10 @@ void ContactWriter::add_pairs(const std::vector<const FrameContact*>& now, const
     const auto numbers = numbers_of(*pair.contact, bodies, frames.unit(static_cast<std::size_t>(pair.contact->first)));
     for (std::size_t k = 0; k < k_numbers; ++k) {
       const std::int64_t difference = numbers[k] - pair.numbers[k];
-      add_signed(k == normal_around || k == force_around ? wrapped(difference) : difference, arrays[k]);
+      add_signed(k == normal_around  ? wrapped(difference, k_circle)
+                 : k == force_around ? wrapped(difference, k_force_circle)
+                                     : difference,
+                 arrays[k]);
     }
     pair.numbers = numbers;
   }

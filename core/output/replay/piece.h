@@ -8,7 +8,7 @@
 namespace nilas::output::replay {
 
 /// The bytes with which a replay file starts; the last one is the version.
-inline constexpr std::string_view k_signature = "NILASRP2";
+inline constexpr std::string_view k_signature = "NILASRP3";
 
 inline constexpr char k_head = 'H', k_shape = 'S', k_frame = 'F', k_waves = 'W', k_end = 'E', k_live = 'L';
 

@@ -1,6 +1,6 @@
 /** Writes the contacts of a frame, as docs/reference/replay-file.md says. It knows nothing of the page. */
 
-const CIRCLE = 128, FORCE_STEPS = 28, LEAST_FORCE = 1e-12;
+const CIRCLE = 128, FORCE_CIRCLE = 64, FORCE_STEPS = 20, LEAST_FORCE = 1e-12;
 
 /** A vector in the frame of a body that is turned by the unit quaternion (w, x, y, z). */
 function inBody([w, x, y, z], [a, b, c]) {
@@ -9,14 +9,14 @@ function inBody([w, x, y, z], [a, b, c]) {
   return rows.map(([p, q, r]) => p * a + q * b + r * c);
 }
 
-/** The angle about z and the angle above the plane of x and y, in steps. */
+/** The angle about z and the angle above the plane of x and y. */
 function angles([x, y, z]) {
-  const size = Math.hypot(x, y, z) || 1, step = 2 * Math.PI / CIRCLE;
-  return [Math.round(Math.atan2(y, x) / step), Math.round(Math.asin(Math.min(1, Math.max(-1, z / size))) / step)];
+  const size = Math.hypot(x, y, z) || 1;
+  return [Math.atan2(y, x), Math.asin(Math.min(1, Math.max(-1, z / size)))];
 }
 
 /** Equal to `a` but for whole circles, and nearest to 0. */
-const wrapped = (a) => ((a + CIRCLE / 2) % CIRCLE + CIRCLE) % CIRCLE - CIRCLE / 2;
+const wrapped = (a, circle) => ((a + circle / 2) % circle + circle) % circle - circle / 2;
 
 export class ContactWriter {
   /** Pairs of the frame before: {ids, numbers}. */
@@ -66,14 +66,16 @@ export class ContactWriter {
     for (let k = 0; k < 8; ++k) {
       for (const [name, numbers] of this.#pairs) {
         const difference = numbers[k] - (old.get(name)?.[k] ?? 0);
-        out.signed(k === 0 || k === 7 ? wrapped(difference) : difference);
+        out.signed(k === 0 ? wrapped(difference, CIRCLE) : k === 7 ? wrapped(difference, FORCE_CIRCLE) : difference);
       }
     }
   }
 }
 
 function numbersOf({ p, n, force }, { p: place, q }, unit) {
-  const point = inBody(q, p.map((x, k) => x - place[k])).map((x) => Math.round(x / (128 * unit)));
-  const normal = angles(inBody(q, n)), pull = angles(inBody(q, force)), size = Math.max(Math.hypot(...force), LEAST_FORCE);
-  return [...normal, pull[1] - normal[1], ...point, Math.round(FORCE_STEPS * Math.log10(size)), wrapped(pull[0] - normal[0])];
+  const point = inBody(q, p.map((x, k) => x - place[k])).map((x) => Math.round(x / (256 * unit)));
+  const step = 2 * Math.PI / CIRCLE, normal = angles(inBody(q, n)).map((angle) => Math.round(angle / step));
+  const pull = angles(inBody(q, force)).map((angle, k) => Math.round((angle - step * normal[k]) * FORCE_CIRCLE / (2 * Math.PI)));
+  const size = Math.max(Math.hypot(...force), LEAST_FORCE);
+  return [...normal, pull[1], ...point, Math.round(FORCE_STEPS * Math.log10(size)), wrapped(pull[0], FORCE_CIRCLE)];
 }

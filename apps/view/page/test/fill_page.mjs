@@ -7,14 +7,35 @@
 import { readFileSync, writeFileSync } from 'node:fs';
 import { pathToFileURL } from 'node:url';
 
-/** Bytes of a block. A multiple of three, so that no block but the last is padded. */
+/** Bytes of a block. */
 const BLOCK_BYTES = 6000000;
+const LETTERS = Array.from({ length: 94 }, (_, k) => String.fromCharCode(33 + k)).filter((letter) => !'"&<'.includes(letter));
+
+/** Bytes as the letters of a block: 13 bits are two letters, and at the end up to 6 are one. */
+export function blockText(bytes) {
+  const letters = [];
+  let waiting = 0, count = 0;
+  const put = (width) => {
+    const value = waiting & ((1 << width) - 1);
+    letters.push(LETTERS[value % 91]);
+    if (width > 6) letters.push(LETTERS[Math.floor(value / 91)]);
+    waiting >>>= width;
+    count -= width;
+  };
+  for (const byte of bytes) {
+    waiting |= byte << count;
+    count += 8;
+    if (count >= 13) put(13);
+  }
+  if (count > 0) put(count);
+  return letters.join('');
+}
 
 /** @param {string} page the template @param {Uint8Array} bytes of the replay @param {object} facts */
 export function fillPage(page, bytes, facts, blockBytes = BLOCK_BYTES) {
   const blocks = [];
   for (let at = 0; at < bytes.length; at += blockBytes) {
-    const text = Buffer.from(bytes.subarray(at, at + blockBytes)).toString('base64');
+    const text = blockText(bytes.subarray(at, at + blockBytes));
     blocks.push(`<script type="application/octet-stream" id="replay-${blocks.length}">${text}</script>`);
   }
   const escaped = facts.title.replaceAll('&', '&amp;').replaceAll('<', '&lt;');

@@ -74,7 +74,7 @@ export function piece(kind, content) {
  * q (w x y z), speed, island, damage}; a contact {status, exact, stored, first, second, p, n, force} with places in the list of bodies.
  */
 export class ReplayWriter {
-  parts = [Buffer.from('NILASRP2')];
+  parts = [Buffer.from('NILASRP3')];
   #bodies = [];
   #sinceKey = Infinity;
   #contacts = new ContactWriter();

@@ -44,10 +44,10 @@ void touch(contact::SolvedProblem& solved, const bodies::Bodies& bodies, int a, 
 
 /// Within the errors that docs/reference/replay-file.md states.
 void expect_pair(const test::ReplayContact& shown, const Vec3& force, const Vec3& p, double unit) {
-  EXPECT_LT(std::abs(shown.force.norm() / force.norm() - 1), 0.043);
-  EXPECT_LT((shown.force.normalized() - force.normalized()).norm(), 0.05);
+  EXPECT_LT(std::abs(shown.force.norm() / force.norm() - 1), 0.06);
+  EXPECT_LT((shown.force.normalized() - force.normalized()).norm(), 0.08);
   EXPECT_LT((shown.n - Vec3(0, 0.6, 0.8)).norm(), 0.05);
-  EXPECT_LT((shown.p - p).norm(), 112 * unit);
+  EXPECT_LT((shown.p - p).norm(), 224 * unit);
 }
 
 class ReplayContactsTest : public testing::Test {

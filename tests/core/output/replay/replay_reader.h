@@ -294,13 +294,13 @@ class Replay {
       const ReplayBody& body = frame.bodies.at(c.first);
       const auto number = [&](std::size_t k) { return static_cast<double>(c.numbers[k]); };
       const auto direction = [](double around, double up) {
-        const double unit = k_pi / 64;
-        return Vec3(std::cos(unit * up) * std::cos(unit * around), std::cos(unit * up) * std::sin(unit * around),
-                    std::sin(unit * up));
+        return Vec3(std::cos(up) * std::cos(around), std::cos(up) * std::sin(around), std::sin(up));
       };
-      c.p = body.p + body.q * (128 * body.unit * Vec3(number(3), number(4), number(5)));
-      c.n = body.q * direction(number(0), number(1));
-      c.force = std::pow(10, number(6) / 28) * (body.q * direction(number(0) + number(7), number(1) + number(2)));
+      const double step = k_pi / 64, force_step = k_pi / 32, around = step * number(0), up = step * number(1);
+      c.p = body.p + body.q * (256 * body.unit * Vec3(number(3), number(4), number(5)));
+      c.n = body.q * direction(around, up);
+      c.force = std::pow(10, number(6) / 20) *
+                (body.q * direction(around + force_step * number(7), up + force_step * number(2)));
       frame.contacts.push_back(c);
     }
   }

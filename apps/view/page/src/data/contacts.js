@@ -2,12 +2,12 @@ import { turned } from './turn.js';
 
 export const ContactStatus = { open: 0, stick: 1, slip: 2, crush: 3 };
 const STATUS_MASK = 63, STORED_FLAG = 64;
-const NORMAL_UNIT = 1 / 127, POINT_UNITS = 4, PAIR_POINT_UNITS = 128;
-/** Angles are counted in these steps of a circle, and forces in these steps of a decade. */
-const CIRCLE = 128, FORCE_STEPS = 28;
+const NORMAL_UNIT = 1 / 127, POINT_UNITS = 4, PAIR_POINT_UNITS = 256;
+/** Normals and forces are turned in these steps of a circle, and the size of forces has these steps of a decade. */
+const CIRCLE = 128, FORCE_CIRCLE = 64, FORCE_STEPS = 20;
 /** The numbers of a pair, in the order of the file. */
 const OF_PAIR = { normalAround: 0, normalUp: 1, forceUp: 2, x: 3, y: 4, z: 5, force: 6, forceAround: 7 };
-const NUMBERS = 8, TURNING = new Set([OF_PAIR.normalAround, OF_PAIR.forceAround]);
+const NUMBERS = 8, TURNING = new Map([[OF_PAIR.normalAround, CIRCLE], [OF_PAIR.forceAround, FORCE_CIRCLE]]);
 
 /**
  * The contacts of a frame: first those whose force is stored exactly, then the sums over pairs of bodies.
@@ -82,10 +82,10 @@ function decodePairs(reader, before) {
   const count = first.length, numbers = new Int32Array(NUMBERS * count);
   const status = reader.span(count);
   for (let k = 0; k < NUMBERS; ++k) {
-    const old = k * oldCount;
+    const old = k * oldCount, circle = TURNING.get(k);
     for (let i = 0; i < count; ++i) {
       const value = reader.signed() + (i < numKept ? before.contacts.pairNumbers[old + from[i]] : 0);
-      numbers[k * count + i] = TURNING.has(k) ? value & (CIRCLE - 1) : value;
+      numbers[k * count + i] = circle ? value & (circle - 1) : value;
     }
   }
   return { first, second, status, numbers };
@@ -106,7 +106,7 @@ function keptPairs(reader, { contacts, placeNow }) {
 
 /** Fills in points, normals and forces of pairs from their numbers, which are in the frame of the first body. */
 function placePairs({ first, second, point, normal, force, pairNumbers }, start, bodies) {
-  const count = pairNumbers.length / NUMBERS, step = 2 * Math.PI / CIRCLE;
+  const count = pairNumbers.length / NUMBERS, step = 2 * Math.PI / CIRCLE, forceStep = 2 * Math.PI / FORCE_CIRCLE;
   demandBodies(first.subarray(start), second.subarray(start), bodies.count);
   const number = (k, i) => pairNumbers[k * count + i];
   for (let i = 0; i < count; ++i) {
@@ -115,10 +115,10 @@ function placePairs({ first, second, point, normal, force, pairNumbers }, start,
     for (let k = 0; k < 3; ++k) {
       point[at + k] = (bodies.place[k * bodies.count + b] + PAIR_POINT_UNITS * offset[k]) * bodies.unit[b];
     }
-    const around = number(OF_PAIR.normalAround, i), up = number(OF_PAIR.normalUp, i);
-    normal.set(turned(q, ...direction(step * around, step * up, 1)), at);
+    const around = step * number(OF_PAIR.normalAround, i), up = step * number(OF_PAIR.normalUp, i);
+    normal.set(turned(q, ...direction(around, up, 1)), at);
     const size = 10 ** (number(OF_PAIR.force, i) / FORCE_STEPS);
-    force.set(turned(q, ...direction(step * (around + number(OF_PAIR.forceAround, i)), step * (up + number(OF_PAIR.forceUp, i)), size)), at);
+    force.set(turned(q, ...direction(around + forceStep * number(OF_PAIR.forceAround, i), up + forceStep * number(OF_PAIR.forceUp, i), size)), at);
   }
 }
 

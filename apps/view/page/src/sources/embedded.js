@@ -1,16 +1,8 @@
 import { PieceReader } from '../data/pieces.js';
+import { bytesOfBlock } from './block_text.js';
 
 /** Lets the page draw between two parts of a long task. */
 const pause = () => new Promise((resolve) => setTimeout(resolve));
-
-/** Decodes base64; the browser's own decoder is many times faster where it exists. */
-export function bytesOfBase64(text) {
-  if (Uint8Array.fromBase64) return Uint8Array.fromBase64(text);
-  const binary = atob(text);
-  const bytes = new Uint8Array(binary.length);
-  for (let i = 0; i < binary.length; ++i) bytes[i] = binary.charCodeAt(i);
-  return bytes;
-}
 
 /** The blocks `replay-0`, `replay-1` ... of the page. */
 export function embeddedBlocks() {
@@ -30,7 +22,7 @@ export async function readEmbedded(blocks, recording) {
   const reader = new PieceReader();
   let bytes = 0;
   for (const block of blocks) {
-    const part = bytesOfBase64(block.textContent.trim());
+    const part = bytesOfBlock(block.textContent.trim());
     block.remove();
     bytes += part.length;
     await recording.add(reader.push(part));
