@@ -104,6 +104,25 @@ check('the hull in 3-D shows loaded and bare places', async () => {
   assert.deepEqual(faults, []);
 });
 
+check('the force of the carriage is scaled to the time after its ramp, and shows the ramp where that is enlarged', async () => {
+  const { page } = report;
+  const shown = await page.evaluate(async () => {
+    const { plots } = window.nilasReport, drawn = () => new Promise((resolve) => { setTimeout(resolve, 50); });
+    const { y_range: range, curves: [{ y, high }] } = plots.list.find(({ id }) => id === 'force-carriage');
+    const first = plots.heights['force-carriage'], [from, to] = plots.ranges['force-carriage'];
+    plots.zoom('force-carriage', 0, 0.2);
+    await drawn();
+    const ramp = plots.heights['force-carriage'];
+    plots.zoom('force-carriage', from, to);
+    await drawn();
+    return { range, first, ramp, again: plots.heights['force-carriage'], largest: Math.max(...(high.length > 0 ? high : y)) };
+  });
+  assert.ok(shown.range[1] < shown.largest / 2, JSON.stringify(shown));
+  assert.deepEqual(shown.first, shown.range);
+  assert.deepEqual(shown.again, shown.range);
+  assert.ok(shown.ramp[1] >= shown.largest, JSON.stringify(shown));
+});
+
 check('a stretch of time that one graph shows is shown by all over time', async () => {
   const { page } = report;
   const ranges = await page.evaluate(async () => {

@@ -69,10 +69,8 @@ function decadesOf(_, low, high) {
 /** The range of an axis that has this one while all of x is shown, and that of the values in sight where x is enlarged. */
 function rangeOfWhole(whole, curves) {
   const xs = curves.flatMap(({ x }) => [x[0], x[x.length - 1]]), from = Math.min(...xs), to = Math.max(...xs);
-  return ({ scales: { x } }, low, high) => {
-    const isWhole = x.min <= from + 1e-9 && x.max >= to - 1e-9;
-    return isWhole ? whole : uPlot.rangeNum(low, high, 0.1, true);
-  };
+  // The x of the first and the last point in sight are known before the new scale of x is.
+  return ({ series: [x] }, low, high) => (x.min <= from && x.max >= to ? whole : uPlot.rangeNum(low, high, 0.1, true));
 }
 
 /** All plots of the page. Those over the time of the run show the same stretch of it. */
@@ -89,6 +87,9 @@ export class Plots {
   get count() { return this.#shown.length; }
   /** Names of the plots, and the stretch of x that each shows. */
   get ranges() { return Object.fromEntries(this.#shown.map(({ id, plot }) => [id, [plot.scales.x.min, plot.scales.x.max]])); }
+
+  /** The stretch of y that each plot shows. */
+  get heights() { return Object.fromEntries(this.#shown.map(({ id, plot }) => [id, [plot.scales.y.min, plot.scales.y.max]])); }
 
   /** Shows a stretch of x in a plot, and with it in all plots over time where it is one of them. */
   zoom(id, min, max) { this.#shown.find((shown) => shown.id === id).plot.setScale('x', { min, max }); }

@@ -72,7 +72,7 @@ export class Card {
     row('Mass', body.isFixed ? 'fixed' : formatMass(body.mass));
     if (body.thickness > 0) row('Thickness', formatLength(body.thickness));
     row('Speed', body.speed === null ? '–' : formatValue(body.speed, 'm_s'));
-    if (body.velocity) row('Velocity x y z [m/s]', body.velocity.map((v) => (Math.abs(v) < 5e-4 ? 0 : v).toFixed(3)).join('  '));
+    if (body.velocity) row('Velocity [m/s]', body.velocity.map((v) => (Math.abs(v) < 5e-4 ? 0 : v).toFixed(3)).join('  '));
     if (body.island > 0) row('Island', `${body.island}${body.residual === null ? '' : `, residual ${formatValue(body.residual, 'm_s')}`}`);
     if (body.damage !== null) row('Largest damage', body.damage.toFixed(2));
     const title = body.name ? `${body.kind} “${body.name}”` : `${body.kind} ${body.id}`;
