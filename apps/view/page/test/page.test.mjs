@@ -202,7 +202,7 @@ check('on a phone nothing lies over the picture until it is asked for', async ()
   let now = await layout();
   assert.deepEqual([now.wide, now.panel, now.dock, now.beyond], [375, true, true, 0]);
   assert.ok(now.picture > 400, `the picture is ${now.picture} pixels high`);
-  await page.evaluate(() => window.nilas.pick(12));
+  await page.evaluate(() => window.nilas.seek(2).then(() => window.nilas.pick(12)));
   const card = await page.$eval('#card', (box) => box.getBoundingClientRect().height);
   assert.ok(card > 50 && card < now.picture / 3, `the card is ${card} pixels high`);
   assert.match(await page.$eval('#facts', (facts) => facts.textContent), /Ice load.*N astern.*Points \+ pairs\d+ \+ \d+/);
