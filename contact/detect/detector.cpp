@@ -4,12 +4,15 @@
 #include <cmath>
 #include <functional>
 #include <numeric>
+#include <span>
+#include <tuple>
 
 #include "contact/detect/broad/broad_phase.h"
 #include "contact/detect/broad/known_parts.h"
 #include "contact/detect/broad/reach.h"
 #include "contact/detect/narrow_phase.h"
 #include "contact/detect/pair_memories.h"
+#include "contact/detect/round_pair.h"
 #include "contact/detect/search/fcl_query.h"
 #include "contact/detect/search/seam_points.h"
 #include "core/base/error.h"
@@ -96,6 +99,8 @@ struct ContactDetector::Implementation {
   void index_last_pairs();
   /// Moves out the pair's memory of the last call, if it has one.
   PairMemory take_remembered(const PartPair& pair);
+  /// The pair's memory of this call.
+  PairMemory remembered(const Part& a, const Part& b) const;
   void list_pairs(const bodies::Bodies& bodies, double margin);
   void search_pairs(const bodies::Bodies& bodies, const std::vector<double>& margins, const PairFilter& left);
   void list_left_out();
@@ -130,6 +135,13 @@ PairMemory ContactDetector::Implementation::take_remembered(const PartPair& pair
              end = before.pairs.begin() + last_starts[pair.body_a + 1];
   const auto at = std::lower_bound(begin, end, pair);
   return at != end && *at == pair ? std::move(before.memory[at - before.pairs.begin()]) : PairMemory{};
+}
+
+PairMemory ContactDetector::Implementation::remembered(const Part& a, const Part& b) const {
+  const auto index = [&](const Part& part) { return static_cast<int>(&part - known.parts.data()); };
+  const PartPair pair{a.body, b.body, index(a), index(b)};
+  const auto at = std::lower_bound(now.pairs.begin(), now.pairs.end(), pair);
+  return at != now.pairs.end() && *at == pair ? now.memory[at - now.pairs.begin()] : PairMemory{};
 }
 
 void ContactDetector::Implementation::index_last_pairs() {
@@ -353,6 +365,21 @@ std::vector<SweptPair> ContactDetector::sweep(const bodies::Bodies& bodies, cons
                        swept[k].points);
   }
   return swept;
+}
+
+void ContactDetector::measure_round(const bodies::Bodies& bodies, std::vector<ContactPoint>& points) {
+  Implementation& work = *implementation_;
+  AxisSearchRoom room;
+  for (std::size_t i = 0, last = 0; i < points.size(); i = last) {
+    const auto names = [](const ContactPoint& c) { return std::tuple(c.a, c.b, c.part_a, c.part_b); };
+    while (last < points.size() && names(points[last]) == names(points[i])) ++last;
+    if (points[i].crushes() || !(is_round(*bodies.shape[points[i].a]) || is_round(*bodies.shape[points[i].b])))
+      continue;
+    const Part& a = work.known.of_body(points[i].a).first[points[i].part_a];
+    const Part& b = work.known.of_body(points[i].b).first[points[i].part_b];
+    measure_round_pair(bodies, a, b, {work.narrow, work.fcl}, room, work.remembered(a, b),
+                       std::span(points).subspan(i, last - i));
+  }
 }
 
 void ContactDetector::follow(const bodies::Bodies& bodies) { implementation_->learn_bodies(bodies); }

@@ -57,6 +57,10 @@ class ContactDetector {
   /// Parts too far apart to meet are left out. Changes no cache. The result is in the order of (a, b, part_a, part_b).
   std::vector<SweptPair> sweep(const bodies::Bodies& bodies, const std::vector<BodyMotion>& motions,
                                const std::vector<FastPair>& pairs, const SoughtOverlap& overlap = {});
+  /// Measures points of the last detect() anew at the bodies' present poses where a part is a sphere or a cylinder
+  /// (contact/detect/round_pair.h). `points` were carried along with the bodies, in the order of detect(). The other
+  /// points, and those where ice crushes, stay as they are. Changes no cache.
+  void measure_round(const bodies::Bodies& bodies, std::vector<ContactPoint>& points);
   /// Registers bodies that came or went, as the calls above do. The memories of all other pairs are kept. Needed only
   /// before save().
   void follow(const bodies::Bodies& bodies);

@@ -45,12 +45,14 @@ contact::StepMotion velocity_step(const World& world, const Loads& loads, const 
   return motion;
 }
 
-/// The contact points at the substep's end. Those of fast pairs are where they were found, because the bodies' rotation
+/// The contact points at the substep's end. Those of round parts are where the surfaces touch then, because the point
+/// that touched before has turned away. Those of fast pairs are where they were found, because the bodies' rotation
 /// would carry them elsewhere.
-std::vector<detect::ContactPoint> points_at_the_end(const World& world, const Substep& substep,
-                                                    const FoundContacts& found, const contact::StepMotion& motion) {
+std::vector<detect::ContactPoint> points_at_the_end(World& world, const Substep& substep, const FoundContacts& found,
+                                                    const contact::StepMotion& motion) {
   const bodies::Bodies& bodies = world.parts.bodies;
   std::vector<detect::ContactPoint> points = contact::carried_points(motion, bodies);
+  world.detector.measure_round(bodies, points);
   const detect::FastMotion after{motion.after.v, motion.after.w, substep.h};
   if (world.model.detection != Detection::continuous) return points;
   if (found.met_on_path.empty() && !detect::any_fast(bodies, after, world.width, k_fast_share)) return points;
