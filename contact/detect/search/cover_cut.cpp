@@ -41,6 +41,7 @@ class AreaCut {
       const OverlayPoint &before = first[(i + count - 1) % count], &after = first[(i + 1) % count];
       if (count > 1) add_entry(before, p, out);
       if (count > 2) add_entry(after, p, out);
+      if (count > 1 && (count > 2 || i == 0) && is_hidden(after)) add_between(p, after, out);
     }
   }
 
@@ -60,16 +61,40 @@ class AreaCut {
     if (is_hidden(shown)) return;
     const Vec3 x = side_.place(plane_, shown), y = side_.place(plane_, hidden);
     side_.cover().list_hiding(y, side_.outward(normal_at(hidden)), hiding_);
+    const double t = first_entry(x, y);
+    if (t * (x - y).norm() <= side_.cover().tolerance) return;
+    out.push_back(on_the_way(shown, hidden, t));
+  }
+
+  /// Adds both ends of the stretch between two corners in different parts where the outline is out of both. A piece
+  /// that fits between two inner corners has such an outline.
+  void add_between(const OverlayPoint& p, const OverlayPoint& q, std::vector<OverlayPoint>& out) {
+    const Vec3 x = side_.place(plane_, p), y = side_.place(plane_, q);
+    side_.cover().list_hiding(y, side_.outward(normal_at(q)), hiding_);
+    const double to = first_entry(x, y);
+    side_.cover().list_hiding(x, side_.outward(normal_at(p)), hiding_);
+    const double from = 1 - first_entry(y, x);
+    if ((to - from) * (x - y).norm() <= side_.cover().tolerance) return;
+    if (is_hidden(on_the_way(p, q, 0.5 * (from + to)))) return;
+    out.push_back(on_the_way(q, p, 1 - from));
+    out.push_back(on_the_way(p, q, to));
+  }
+
+  /// The share of the way from x to y at which it enters the first of the parts that hide y.
+  double first_entry(const Vec3& x, const Vec3& y) const {
     double t = 1;
     for (const CoveringPart* part : hiding_) t = std::min(t, entry(*part, x, y, side_.cover().tolerance));
-    if (t * (x - y).norm() <= side_.cover().tolerance) return;
-    OverlayPoint p = shown;
-    p.feature = {FeatureKind::cover, number_of(shown.feature), number_of(hidden.feature)};
-    p.u += t * (hidden.u - shown.u);
-    p.v += t * (hidden.v - shown.v);
-    p.height_a += t * (hidden.height_a - shown.height_a);
-    p.gap += t * (hidden.gap - shown.gap);
-    out.push_back(p);
+    return t;
+  }
+
+  static OverlayPoint on_the_way(const OverlayPoint& from, const OverlayPoint& to, double t) {
+    OverlayPoint p = from;
+    p.feature = {FeatureKind::cover, number_of(from.feature), number_of(to.feature)};
+    p.u += t * (to.u - from.u);
+    p.v += t * (to.v - from.v);
+    p.height_a += t * (to.height_a - from.height_a);
+    p.gap += t * (to.gap - from.gap);
+    return p;
   }
 
   const CoveredSide& side_;

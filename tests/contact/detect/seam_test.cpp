@@ -7,6 +7,7 @@
 #include "contact/detect/broad/part.h"
 #include "contact/detect/detector.h"
 #include "tests/contact/detect/bodies_of_tests.h"
+#include "tests/support/about_centroid.h"
 #include "tests/support/random_vectors.h"
 
 namespace nilas::detect {
@@ -125,6 +126,48 @@ TEST(Seams, DiscsAndBallsPassSeams) {
     expect_contacts_of_one_wall(stretches, geometry::cylinder_shape(0.5, 0.2), {0, 0.5, 0.1}, Vec3::UnitY(),
                                 Quat::Identity());
     expect_contacts_of_one_wall(stretches, geometry::sphere_shape(0.5), {0, 0.5, 0.1}, Vec3::UnitY(), Quat::Identity());
+  }
+}
+
+/// The ring around a convex outline, counter-clockwise about the origin: one part per edge, out to twice the distance.
+geometry::Shape ring_around(const std::vector<Vec2>& outline, double thickness) {
+  std::vector<geometry::ConvexPolytope> parts;
+  for (std::size_t k = 0; k < outline.size(); ++k) {
+    const Vec2 &p = outline[k], &q = outline[(k + 1) % outline.size()];
+    parts.push_back(geometry::make_prism({2 * p, 2 * q, q, p}, -0.5 * thickness, 0.5 * thickness));
+  }
+  return geometry::mesh_shape(geometry::box_shape({8, 8, thickness}).surface, parts);
+}
+
+/// A piece that fills a notch of its sheet: each side of it lies between two inner corners of the sheet, where the
+/// parts at both corners hide the ends of the side. The sheet holds the piece along all its sides all the same.
+TEST(Seams, APieceThatFillsANotchTouchesAllItsSides) {
+  RandomStream random(3, "notch");
+  for (int round = 0; round < 20; ++round) {
+    const std::vector<Vec2> outline = test::about_centroid(random_outline(random, 1.5));
+    for (const double gap : {1e-4, 1e-9, 0.0, -1e-9, -1e-6}) {
+      const Quat turn = random_tilt(random, 0.2);
+      bodies::Bodies bodies;
+      add_body(bodies, ring_around(outline, 0.4), {3, 4, 0}, turn);
+      std::vector<Vec2> piece = outline;  // smaller by about the gap on all sides
+      for (Vec2& corner : piece) corner *= 1 - gap;
+      add_body(bodies, geometry::prism_shape(piece, 0.4), {3, 4, 0}, turn);
+      const auto points = ContactDetector().detect(bodies, 0.01);
+      for (std::size_t k = 0; k < outline.size(); ++k) {
+        const Vec2 along = (outline[(k + 1) % outline.size()] - outline[k]).normalized();
+        const Vec3 n = turn * Vec3(-along.y(), along.x(), 0);
+        double least = 1e9, most = -1e9;
+        for (const ContactPoint& c : points) {
+          if (c.part_a != static_cast<int>(k) || (c.n - n).norm() > 1e-6) continue;
+          const double at = (turn.conjugate() * (c.p - Vec3(3, 4, 0))).head<2>().dot(along);
+          least = std::min(least, at);
+          most = std::max(most, at);
+          EXPECT_NEAR(c.gap, gap, std::abs(gap) + 1e-12);
+        }
+        const double length = (outline[(k + 1) % outline.size()] - outline[k]).norm();
+        EXPECT_NEAR(most - least, length, 1e-3) << round << " " << gap << " side " << k;
+      }
+    }
   }
 }
 
