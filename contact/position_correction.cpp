@@ -5,7 +5,9 @@
 
 #include "contact/problem/islands.h"
 #include "contact/problem/operators.h"
+#include "contact/problem/prepared_problem.h"
 #include "contact/problem/row_of.h"
+#include "contact/solvers/newton.h"
 #include "contact/solvers/newton_order_free.h"
 #include "core/base/error.h"
 
@@ -142,6 +144,25 @@ ContactProblem correction_problem(const AssembledContacts& contacts, const Conta
   return own;
 }
 
+/// Most factorisations for one group: from the impulses of the sweeps newton takes one to three, rarely twenty.
+constexpr int k_most_factorisations = 40;
+
+/// Continues from the impulses of the sweeps by newton. Keeps them where newton ends above the tolerance too, as with
+/// overlaps between bodies that cannot part. Returns whether it reached the tolerance.
+bool finish_group(const AssembledContacts& contacts, const ContactProblem& graph, const std::vector<int>& group,
+                  const std::vector<detect::ContactPoint>& points, const CorrectionSettings& settings, VecX& impulses) {
+  const ContactProblem own = correction_problem(contacts, graph, {group}, points, settings);
+  VecX guess = VecX::Zero(row_of(own.num_contacts()));
+  for (std::size_t k = 0; k < group.size(); ++k) guess[row_of(k)] = impulses[row_of(group[k])];
+  solvers::NewtonSettings newton;
+  newton.shared.tolerance = settings.tolerance;
+  newton.max_factorisations = k_most_factorisations;
+  const ContactSolution solution = solvers::NewtonSolver(newton).solve(PreparedProblem(own), guess);
+  if (solution.status != SolveStatus::converged) return false;
+  for (std::size_t k = 0; k < group.size(); ++k) impulses[row_of(group[k])] = solution.r[row_of(k)];
+  return true;
+}
+
 PositionCorrection order_free_correction(const AssembledContacts& contacts, const ContactProblem& graph,
                                          const std::vector<std::vector<int>>& groups,
                                          const std::vector<detect::ContactPoint>& points,
@@ -192,9 +213,12 @@ PositionCorrection position_correction(const AssembledContacts& contacts,
       converged = correction.sweep() <= settings.tolerance && correction.residual() <= settings.tolerance;
     }
     out.contacts += static_cast<int>(group.size());
-    out.converged = out.converged && converged;
     out.sweeps = std::max(out.sweeps, sweeps);
     for (std::size_t k = 0; k < group.size(); ++k) impulses[row_of(group[k])] = correction.impulse(k);
+    const bool finished =
+        !converged && settings.finish && finish_group(contacts, graph, group, points, settings, impulses);
+    out.finished += finished ? 1 : 0;
+    out.converged = out.converged && (converged || finished);
   }
   // v = M^-1 H r of the free bodies follows from the impulses alone, without the rounding of the sweeps
   for (int c = 0; c < step.num_contacts(); ++c)

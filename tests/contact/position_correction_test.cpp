@@ -179,6 +179,49 @@ TEST(PositionCorrection, OrderFreeSumsManyContactsOfOneBody) {
   EXPECT_FALSE(position_correction(row.contacts, row.points, row.settings).converged);
 }
 
+/// A pile of cubes against a wall: the last is forty times as heavy, so that sweeps creep.
+TEST(PositionCorrection, NewtonFinishesWhatSweepsLeaveShort) {
+  Row row({0.003, 0.02, 0, 0.005, 0.011, 0.004});
+  row.bodies.mass.back() *= 40;
+  FrictionTable friction;
+  friction.add("*", "*", {0.3, 0.3, 0});
+  row.contacts = assemble(row.bodies, bodies::Wrenches(row.bodies.id.size()), row.points,
+                          friction.resolve(row.bodies.materials), {.h = k_step}, {});
+  row.settings.tolerance = 1e-10;
+  PositionCorrection result;
+  const auto exact = row.speeds(&result);
+  ASSERT_TRUE(result.converged);
+  EXPECT_EQ(result.finished, 0);
+  ASSERT_GT(result.sweeps, 1000);
+  row.settings.max_sweeps = 50;
+  row.speeds(&result);
+  ASSERT_FALSE(result.converged);
+  row.settings.finish = true;
+  const auto finished = row.speeds(&result);
+  EXPECT_TRUE(result.converged);
+  EXPECT_EQ(result.finished, 1);
+  for (std::size_t k = 0; k < exact.size(); ++k) EXPECT_NEAR(finished[k], exact[k], 1e-8);
+}
+
+/// Between two walls that are too near no motion parts the bodies: what the sweeps found stays, and it says so.
+TEST(PositionCorrection, OverlapsThatCannotPartKeepTheResultOfTheSweeps) {
+  Row row({0.004, 0.004});
+  row.bodies.motion[2] = bodies::Motion::fixed;
+  FrictionTable friction;
+  friction.add("*", "*", {0.3, 0.3, 0});
+  row.contacts = assemble(row.bodies, bodies::Wrenches(row.bodies.id.size()), row.points,
+                          friction.resolve(row.bodies.materials), {.h = k_step}, {});
+  row.settings.tolerance = 1e-6;
+  row.settings.max_sweeps = 20;
+  PositionCorrection result;
+  const auto swept = row.speeds(&result);
+  EXPECT_FALSE(result.converged);
+  row.settings.finish = true;
+  EXPECT_EQ(row.speeds(&result), swept);
+  EXPECT_FALSE(result.converged);
+  EXPECT_EQ(result.finished, 0);
+}
+
 TEST(PositionCorrection, IslandsWithoutDepthStayStill) {
   // No deep contact is in reach of body 2: only the wall's island {1} is corrected.
   Row row({0.006});

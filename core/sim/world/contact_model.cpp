@@ -92,6 +92,7 @@ ContactModel build_contact_model(const scene::ContactScene& contact, int threads
   // A fixed number of iterations applies to the correction as well.
   model.tolerance = contact.tolerance;
   model.fixed_sweeps = contact.tolerance == 0;
+  model.correction.finish = model.position_step == PositionStep::projection && !model.fixed_sweeps;
   if (model.fixed_sweeps) model.correction.max_sweeps = std::min(model.correction.max_sweeps, contact.max_iterations);
   model.theta = theta_of(contact);
   model.hit_when_met =
