@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "contact/law/law_map.h"
@@ -12,7 +13,7 @@
 #include "contact/problem/row_of.h"
 #include "contact/solvers/admm.h"
 #include "contact/solvers/apgd.h"
-#include "contact/solvers/bodies/body_ladder.h"
+#include "contact/solvers/body_ladder.h"
 #include "contact/solvers/continuation.h"
 #include "contact/solvers/ipm.h"
 #include "contact/solvers/newton.h"
@@ -146,7 +147,7 @@ void interior_point(Height& at) {
       IpmSolver({.shared = at.settings.shared}).solve(at.island, at.best.r, at.stage(at.settings.ipm_factorisations)));
 }
 
-/// The ladder of the header, from rung 1 (or, after sweeps of the whole problem, from rung 2).
+/// The ladder of the header, from rung 1 (or, after sweeps of the whole problem, from rung 3).
 contact::ContactSolution climb(const contact::LocalProblem& island, const VecX& guess, Start start,
                                const AutoSettings& settings, const Budget& budget, Log& log) {
   Height at{island, settings, budget, log, {}};
@@ -159,7 +160,8 @@ contact::ContactSolution climb(const contact::LocalProblem& island, const VecX& 
   }
   if (at.map <= settings.shared.tolerance) at.best.status = contact::SolveStatus::converged;
   const bool knows_cones = known_to_admm_and_ipm(island.law);
-  // With bodies only islands come here that rung 1 could not solve from the guess, so it is not near their solution.
+  // With bodies only islands come here that rungs 1 and 2 could not solve from the guess, so it is not near their
+  // solution.
   const double first_weight = !start.cold && !start.swept ? k_warm_weight : k_cold_weight;
 
   if (!start.swept && at.goes_on()) sweep("nsgs", settings.first_sweeps, at);
@@ -201,25 +203,38 @@ std::vector<std::vector<int>> unsolved(const contact::PreparedProblem& prepared,
   return islands;
 }
 
-/// Solves an island on its bodies where that can be. The better impulses go into `whole.r`, iterations and history into
-/// `whole`. Returns whether it is solved.
-bool solved_on_bodies(const contact::ContactProblem& problem, const std::vector<int>& island,
-                      const contact::SolverSettings& shared, const Budget& budget, Log& log,
-                      contact::ContactSolution& whole) {
-  const contact::ContactProblem part_problem = contact::select(problem, island);
-  const contact::PreparedProblem part(part_problem);
-  if (!fits_bodies(part)) return false;
-  VecX r(contact::row_of(island.size()));
-  for (std::size_t i = 0; i < island.size(); ++i)
-    r.segment<3>(contact::row_of(i)) = whole.r.segment<3>(contact::row_of(island[i]));
-  const BodyOutcome found = solve_on_bodies(part, r, shared, budget);
-  for (std::size_t i = 0; i < island.size(); ++i)
-    whole.r.segment<3>(contact::row_of(island[i])) = found.r.segment<3>(contact::row_of(i));
-  if (found.interior > 0) log.add("interior point", "iterations", found.interior);
-  if (found.newton > 0) log.add("newton on bodies", "factorisations", found.newton);
-  whole.iterations += found.interior + found.newton;
-  whole.history.insert(whole.history.end(), found.history.begin(), found.history.end());
-  return found.has_converged;
+/// Solves islands on their bodies where that can be, the smallest first, so that the hardest is left when time runs
+/// out. Each has the whole budget of iterations. The better impulses, the iterations of the island that took most and
+/// the history go into `whole`. Returns the islands that are not solved.
+std::vector<std::vector<int>> solve_each_on_bodies(const contact::ContactProblem& problem,
+                                                   std::vector<std::vector<int>> islands,
+                                                   const contact::SolverSettings& shared, const Budget& budget,
+                                                   Log& log, contact::ContactSolution& whole) {
+  std::stable_sort(islands.begin(), islands.end(), [](const auto& a, const auto& b) { return a.size() < b.size(); });
+  std::vector<std::vector<int>> rest;
+  std::vector<double> history;
+  int most = 0;
+  for (const std::vector<int>& island : islands) {
+    VecX r(contact::row_of(island.size()));
+    for (std::size_t i = 0; i < island.size(); ++i)
+      r.segment<3>(contact::row_of(i)) = whole.r.segment<3>(contact::row_of(island[i]));
+    std::optional<BodyOutcome> found;
+    if (budget.allows(0) && r.allFinite()) {
+      const contact::ContactProblem part_problem = contact::select(problem, island);
+      found = solve_on_bodies(contact::PreparedProblem(part_problem), r, shared, budget);
+    }
+    if (!found || !found->has_converged) rest.push_back(island);
+    if (!found) continue;
+    for (std::size_t i = 0; i < island.size(); ++i)
+      whole.r.segment<3>(contact::row_of(island[i])) = found->r.segment<3>(contact::row_of(i));
+    if (found->interior > 0) log.add("interior point", "iterations", found->interior);
+    if (found->newton > 0) log.add("newton on bodies", "factorisations", found->newton);
+    most = std::max(most, found->interior + found->newton);
+    merge_history(found->history, history);
+  }
+  whole.iterations += most;
+  whole.history.insert(whole.history.end(), history.begin(), history.end());
+  return rest;
 }
 
 /// Climbs for an island whose W is too large to be formed or factorised: more sweeps, then the projected gradient where
@@ -309,11 +324,8 @@ contact::ContactSolution AutoSolver::solve(const contact::PreparedProblem& prepa
   }
   const double swept_map = contact::measure(prepared, swept.r).law_map_m_s;
   if (guess_map < swept_map || (std::isnan(swept_map) && std::isfinite(guess_map))) swept.r = guess;
-  auto islands = unsolved(prepared, swept.r, running.shared.tolerance);
-  if (swept.r.allFinite())
-    std::erase_if(islands, [&](const auto& island) {
-      return solved_on_bodies(problem, island, running.shared, budget.after(swept.iterations), log, swept);
-    });
+  auto islands = solve_each_on_bodies(problem, unsolved(prepared, swept.r, running.shared.tolerance), running.shared,
+                                      budget.after(swept.iterations), log, swept);
   const Budget left = budget.after(swept.iterations);
   const auto first_large = std::stable_partition(islands.begin(), islands.end(),
                                                  [&](const auto& i) { return contact::is_reducible(problem, i); });

@@ -10,7 +10,8 @@
 ///   2  for laws with cones and problems with bodies: interior point, then newton, on the bodies (body_ladder.h),
 ///   without
 ///      W; in jams, with mass ratios and force limits this is what solves
-///   3  from cold and for laws that admm knows, where those sweeps left more than a hundredth of the residual of no
+///   3  from cold and for laws that admm knows, where the sweeps of rung 1 left more than a hundredth of the residual
+///   of no
 ///      impulses and three contacts in ten stick, as in tall stacks: admm from no impulses, one factorisation, as long
 ///      as two iterations leave less than a fifth
 ///   4  newton: little proximal weight for a local problem with a guess, else more
@@ -34,10 +35,10 @@ namespace nilas::solvers {
 struct AutoSettings {
   contact::SolverSettings shared;  ///< max_iterations counts sweeps and factorisations of an island together
   int first_sweeps = 20;
-  int warm_sweeps = 250;          ///< sweeps of rung 1 with bodies and a guess, at most half of all iterations
-  int jam_contacts = 1500;        ///< contacts of an island from which on long sweeps seldom suffice and are left out
-  double stiff_share = 0.01;      ///< share of the residual of no impulses above which an island goes to rung 3 ...
-  double sticking_share = 0.3;    ///< ... where at least this share of its contacts sticks
+  int warm_sweeps = 250;        ///< sweeps of rung 1 with bodies and a guess, at most half of all iterations
+  int jam_contacts = 1500;      ///< contacts of an island from which on long sweeps seldom suffice: then none has them
+  double stiff_share = 0.01;    ///< share of the residual of no impulses above which an island goes to rung 3 ...
+  double sticking_share = 0.3;  ///< ... where at least this share of its contacts sticks
   double stiff_least_fall = 0.2;  ///< AdmmSettings::least_fall there
   int more_sweeps = 500;
   int first_factorisations = 80;   ///< factorisations of newton in rung 4 and after ipm

@@ -23,11 +23,7 @@ void take_over(const contact::ContactSolution& part, const std::vector<int>& con
   // islands that failed alike are named once
   if (whole.message.find(part.message) == std::string::npos)
     whole.message += (whole.message.empty() ? "" : "; ") + part.message;
-  // an island that stopped early keeps its last value
-  const double last = whole.history.empty() ? 0 : whole.history.back();
-  whole.history.resize(std::max(whole.history.size(), part.history.size()), last);
-  for (std::size_t k = 0; k < whole.history.size() && !part.history.empty(); ++k)
-    whole.history[k] = std::max(whole.history[k], part.history[std::min(k, part.history.size() - 1)]);
+  merge_history(part.history, whole.history);
 }
 
 VecX part_of(const VecX& guess, const std::vector<int>& contacts) {
@@ -89,6 +85,13 @@ std::vector<std::vector<int>> smallest_first(std::vector<std::vector<int>> islan
 }
 
 }  // namespace
+
+void merge_history(const std::vector<double>& part, std::vector<double>& whole) {
+  const double last = whole.empty() ? 0 : whole.back();
+  whole.resize(std::max(whole.size(), part.size()), last);
+  for (std::size_t k = 0; k < whole.size() && !part.empty(); ++k)
+    whole[k] = std::max(whole[k], part[std::min(k, part.size() - 1)]);
+}
 
 contact::SolverSettings with_margin(contact::SolverSettings shared) {
   constexpr double k_margin = 1e-3;

@@ -44,6 +44,10 @@ contact::ContactSolution solve_islands(const contact::PreparedProblem& problem,
                                        const std::vector<std::vector<int>>& islands, const VecX& guess,
                                        const IslandSolve& solve);
 
+/// Merges the history of one island into that of the whole: the larger residual of each iteration, where an island that
+/// stopped early keeps its last one.
+void merge_history(const std::vector<double>& part, std::vector<double>& whole);
+
 /// Throws InputError naming the laws that a solver knows where `law` is none of them.
 void demand_known(const char* solver, std::span<const Law> known, Law law);
 

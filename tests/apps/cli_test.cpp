@@ -92,7 +92,7 @@ TEST(Cli, MissingFilesAndUnwritableOutput) {
   EXPECT_EQ(run_nilas("run none.xml", folder.path()).exit_code, 4);
   const auto misspelt = run_nilas("run bx.xml", folder.path());
   EXPECT_EQ(misspelt.exit_code, 4);
-  EXPECT_TRUE(mentions(misspelt.err, "bx.xml: there is no such file; nearest: box.xml")) << misspelt.err;
+  EXPECT_TRUE(mentions(misspelt.err, "bx.xml: there is no such file or folder; nearest: box.xml")) << misspelt.err;
   const auto no_run = run_nilas("report bux.xml --contacts 1", folder.path());
   EXPECT_EQ(no_run.exit_code, 4);
   EXPECT_TRUE(mentions(no_run.err, "bux.xml: there is no such run folder; nearest: box.xml")) << no_run.err;

@@ -84,13 +84,13 @@ BodyIsland::BodyIsland(const contact::PreparedProblem& island) : w_(by_component
 namespace {
 
 /// The sides of all contacts and where those of each begin, as the loops below read them.
-struct Sides {
+struct SideLists {
   const NodeSide* side;
   const std::size_t* start;
   int num_contacts;
 };
 
-NILAS_WIDE_CLONES void add_to_nodes(const Sides& sides, const double* n, const double* t1, const double* t2,
+NILAS_WIDE_CLONES void add_to_nodes(const SideLists& sides, const double* n, const double* t1, const double* t2,
                                     NodeNumbers* z) {
   for (int c = 0; c < sides.num_contacts; ++c)
     for (std::size_t s = sides.start[c]; s < sides.start[c + 1]; ++s) {
@@ -100,7 +100,7 @@ NILAS_WIDE_CLONES void add_to_nodes(const Sides& sides, const double* n, const d
     }
 }
 
-NILAS_WIDE_CLONES void velocities_of_nodes(const Sides& sides, const NodeNumbers* z, double* n, double* t1,
+NILAS_WIDE_CLONES void velocities_of_nodes(const SideLists& sides, const NodeNumbers* z, double* n, double* t1,
                                            double* t2) {
   constexpr int half = k_node_width / 2;
   for (int c = 0; c < sides.num_contacts; ++c) {

@@ -22,7 +22,8 @@ VecX free_contact_velocities(const BodyIsland& bodies) {
 }  // namespace
 
 BodySystem::BodySystem(const contact::PreparedProblem& island, const BodyIsland& bodies, const NodePlan& plan)
-    : NewtonSystem(island.problem(), inverse_masses_of_bodies(island), free_contact_velocities(bodies), false),
+    : NewtonSystem(island.problem(), inverse_masses_of_bodies(island), island.inverse_mass_scales(),
+                   free_contact_velocities(bodies), false),
       island_(island),
       bodies_(bodies),
       lu_(bodies, plan) {}

@@ -3,8 +3,8 @@
 ///
 ///   (1 + sum J'^T K^-1 U J') dz = -sum J'^T K^-1 F,   dr' = -K^-1 (F + U J' dz),   J' = e J
 ///
-/// gives the same step as the system between contacts with a tenth of the work or less, since a body of k contacts is
-/// one node of six coordinates and not k(k + 1)/2 blocks. Open contacts, dr' = -r', are taken out.
+/// gives the same step as the system between contacts with a quarter to an eighth of the work, since a body of k
+/// contacts is one node of six coordinates and not k(k + 1)/2 blocks. Open contacts, dr' = -r', are taken out.
 ///
 /// Limit: the condition is about 1/a, so a must not fall below about 1e-9; where contacts are redundant a smaller one
 /// would only decide how the impulses are split among them.

@@ -39,10 +39,10 @@ constexpr double k_rounding = 1e-14;
 
 std::ptrdiff_t size_of(const ContactVectors& v) { return static_cast<std::ptrdiff_t>(v.row[0].size()); }
 
-/// Fills `least` with the smaller of the two determinants, so that one loop finds whether any is not positive.
+/// Fills `least` with the smaller of the two distances to the cones' sides, a hair added.
 NILAS_WIDE_CLONES void scale_all(std::ptrdiff_t count, Read x, Read y, Written p, Written l, double* b,
                                  WrittenMatrices q, double* least) {
-#pragma GCC ivdep
+  NILAS_INDEPENDENT
   for (std::ptrdiff_t c = 0; c < count; ++c) {
     const double xt = std::sqrt(x.t1[c] * x.t1[c] + x.t2[c] * x.t2[c]);
     const double yt = std::sqrt(y.t1[c] * y.t1[c] + y.t2[c] * y.t2[c]);
@@ -71,7 +71,8 @@ NILAS_WIDE_CLONES void scale_all(std::ptrdiff_t count, Read x, Read y, Written p
     q.m11[c] = square * (2 * w1 * w1 + 1);
     q.m21[c] = square * (2 * w1 * w2);
     q.m22[c] = square * (2 * w2 * w2 + 1);
-    least[c] = x_margin < y_margin ? x_margin : y_margin;
+    const double x_inside = x.n[c] - xt + x_hair, y_inside = y.n[c] - yt + y_hair;
+    least[c] = x_inside < y_inside ? x_inside : y_inside;
   }
 }
 
@@ -84,30 +85,10 @@ inline Scaled times_one(double b, double pn, double p1, double p2, double n, dou
   return {b * (along * pn - n), b * (along * p1 + t1), b * (along * p2 + t2)};
 }
 
-NILAS_WIDE_CLONES void times_all(std::ptrdiff_t count, Read p, const double* b, Read a, Written out) {
-#pragma GCC ivdep
-  for (std::ptrdiff_t c = 0; c < count; ++c) {
-    const Scaled t = times_one(b[c], p.n[c], p.t1[c], p.t2[c], a.n[c], a.t1[c], a.t2[c]);
-    out.n[c] = t.n;
-    out.t1[c] = t.t1;
-    out.t2[c] = t.t2;
-  }
-}
-
-NILAS_WIDE_CLONES void divide_all(std::ptrdiff_t count, Read p, const double* b, Read a, Written out) {
-#pragma GCC ivdep
-  for (std::ptrdiff_t c = 0; c < count; ++c) {
-    const Scaled t = times_one(1 / b[c], p.n[c], -p.t1[c], -p.t2[c], a.n[c], a.t1[c], a.t2[c]);
-    out.n[c] = t.n;
-    out.t1[c] = t.t1;
-    out.t2[c] = t.t2;
-  }
-}
-
 /// out = T (g + sign T a)
 NILAS_WIDE_CLONES void twice_all(std::ptrdiff_t count, Read p, const double* b, double sign, Read g, Read a,
                                  Written out) {
-#pragma GCC ivdep
+  NILAS_INDEPENDENT
   for (std::ptrdiff_t c = 0; c < count; ++c) {
     const Scaled in = times_one(b[c], p.n[c], p.t1[c], p.t2[c], a.n[c], a.t1[c], a.t2[c]);
     const Scaled t =
@@ -120,7 +101,7 @@ NILAS_WIDE_CLONES void twice_all(std::ptrdiff_t count, Read p, const double* b, 
 
 NILAS_WIDE_CLONES void correct_all(std::ptrdiff_t count, Read p, const double* b, Read l, Read dx, Read dy,
                                    double target, Written g) {
-#pragma GCC ivdep
+  NILAS_INDEPENDENT
   for (std::ptrdiff_t c = 0; c < count; ++c) {
     const Scaled v = times_one(1 / b[c], p.n[c], -p.t1[c], -p.t2[c], dx.n[c], dx.t1[c], dx.t2[c]);
     const Scaled w = times_one(b[c], p.n[c], p.t1[c], p.t2[c], dy.n[c], dy.t1[c], dy.t2[c]);
@@ -137,7 +118,7 @@ NILAS_WIDE_CLONES void correct_all(std::ptrdiff_t count, Read p, const double* b
 
 NILAS_WIDE_CLONES void recentre_all(std::ptrdiff_t count, Read p, const double* b, Read l, Read dx, Read dy, double t,
                                     double least, double most, Written g) {
-#pragma GCC ivdep
+  NILAS_INDEPENDENT
   for (std::ptrdiff_t c = 0; c < count; ++c) {
     const Scaled sx = times_one(1 / b[c], p.n[c], -p.t1[c], -p.t2[c], dx.n[c], dx.t1[c], dx.t2[c]);
     const Scaled sy = times_one(b[c], p.n[c], p.t1[c], p.t2[c], dy.n[c], dy.t1[c], dy.t2[c]);
@@ -164,7 +145,7 @@ NILAS_WIDE_CLONES void recentre_all(std::ptrdiff_t count, Read p, const double* 
 
 /// Fills `longest` with the step of each contact to its boundary, beyond all numbers where there is none.
 NILAS_WIDE_CLONES void steps_to_boundary(std::ptrdiff_t count, Read x, Read dx, double* longest) {
-#pragma GCC ivdep
+  NILAS_INDEPENDENT
   for (std::ptrdiff_t c = 0; c < count; ++c) {
     const double xt = std::sqrt(x.t1[c] * x.t1[c] + x.t2[c] * x.t2[c]);
     const double hair = k_hair * x.n[c], margin = x.n[c] - xt > hair ? x.n[c] - xt : hair;
@@ -179,7 +160,7 @@ NILAS_WIDE_CLONES void steps_to_boundary(std::ptrdiff_t count, Read x, Read dx, 
 }
 
 NILAS_WIDE_CLONES void move_all(std::ptrdiff_t count, Read dx, double t, Written x) {
-#pragma GCC ivdep
+  NILAS_INDEPENDENT
   for (std::ptrdiff_t c = 0; c < count; ++c) {
     x.n[c] += t * dx.n[c];
     x.t1[c] += t * dx.t1[c];
@@ -192,15 +173,8 @@ NILAS_WIDE_CLONES void move_all(std::ptrdiff_t count, Read dx, double t, Written
 bool scale(const ContactVectors& x, const ContactVectors& y, ConeScaling& scaling) {
   std::vector<double> least(x.row[0].size());
   scale_all(size_of(x), x, y, scaling.p, scaling.scaled, scaling.b.data(), scaling.squared, least.data());
-  return std::all_of(least.begin(), least.end(), [](double margin) { return margin > 0; });
-}
-
-void times(const ConeScaling& scaling, const ContactVectors& a, ContactVectors& out) {
-  times_all(size_of(a), scaling.p, scaling.b.data(), a, out);
-}
-
-void divide(const ConeScaling& scaling, const ContactVectors& a, ContactVectors& out) {
-  divide_all(size_of(a), scaling.p, scaling.b.data(), a, out);
+  return std::all_of(least.begin(), least.end(), [](double margin) { return margin > 0; }) &&
+         std::all_of(scaling.b.begin(), scaling.b.end(), [](double b) { return std::isfinite(b); });
 }
 
 void from_dual(const ConeScaling& scaling, const ContactVectors& g, const ContactVectors& a, ContactVectors& out) {

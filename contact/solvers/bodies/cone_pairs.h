@@ -22,10 +22,6 @@ struct ConeScaling {
 /// Returns whether all points lie inside their cones; where one does not, the scaling is not usable.
 bool scale(const ContactVectors& x, const ContactVectors& y, ConeScaling& scaling);
 
-/// out = T a
-void times(const ConeScaling& scaling, const ContactVectors& a, ContactVectors& out);
-/// out = T^-1 a
-void divide(const ConeScaling& scaling, const ContactVectors& a, ContactVectors& out);
 /// out = T (g + T a)
 void from_dual(const ConeScaling& scaling, const ContactVectors& g, const ContactVectors& a, ContactVectors& out);
 /// out = T (g - T a)

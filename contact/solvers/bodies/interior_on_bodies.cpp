@@ -38,8 +38,8 @@ std::vector<double> friction_of(const contact::ContactProblem& problem) {
   return problem.mu;
 }
 
-/// (Q^-1 + k n n^T)^-1 for Q = T^2 with T^-2 of size 1/square and first column `first`. Each entry is a sum of terms of
-/// one sign: Q itself less what k takes from it would lose all digits where k is large.
+/// (Q^-1 + k n n^T)^-1 for Q = T^2, T^2 = square (2 w w^T - J) with the first column `first`. Each entry is a sum of
+/// terms of one sign: Q itself less what k takes from it would lose all digits where k is large.
 Mat3 stiffened(double square, const Vec3& first, double k) {
   const double yield = 1 / (1 + k * first[0]), t = contact::tangential_norm(first);
   const Vec2 e = t > 0 ? Vec2(first.tail<2>() / t) : Vec2(1, 0);
@@ -133,7 +133,7 @@ double InteriorOnBodies::find_map() {
     const Vec3 x = x_.at(c), r(slope_n_[c] * x[0], slope_t_[c] * x[1], slope_t_[c] * x[2]);
     const contact::ContactScale scale{friction_[c], problem_.force_limit[c], island_.inverse_mass_scales()[c]};
     const double map = contact::law_map(problem_.law, problem_.facets, scale, r, other_.at(c));
-    if (!(map <= worst)) worst = map;
+    if (!(map <= worst) && !std::isnan(worst)) worst = map;
   }
   return worst;
 }
@@ -349,26 +349,33 @@ InteriorOnBodies::Outcome InteriorOnBodies::run(const VecX& start, double tolera
                                                 Shift shift) {
   shift_ = shift;
   if (shift == Shift::differentiated && !lu_) lu_.emplace(bodies_, plan_);
-  Outcome best{start, std::numeric_limits<double>::infinity(), 0, {}};
   begin(start);
+  return go_on(tolerance, budget);
+}
+
+InteriorOnBodies::Outcome InteriorOnBodies::go_on(double tolerance, const Budget& budget) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Outcome best{impulses(), infinity, 0, {}};
   Direction d(count_, capped_.size(), z_.size());
   const auto pairs = static_cast<double>(count_ + capped_.size());
-  double marked = std::numeric_limits<double>::infinity();
-  const int patience = shift == Shift::lagged ? k_patience_lagged : k_patience_differentiated;
-  int marked_at = 0, iteration = 0;
-  for (; iteration <= k_most_interior; ++iteration) {
+  const int patience = shift_ == Shift::lagged ? k_patience_lagged : k_patience_differentiated;
+  double marked = infinity;
+  int marked_at = 0;
+  while (true) {
     const double map = find_map();
-    best.history.push_back(map);
+    if (best.iterations > 0) best.history.push_back(map);
     if (map < best.law_map_m_s) {
       best.law_map_m_s = map;
       best.r = impulses();
     }
     if (best.law_map_m_s < 0.5 * marked) {
       marked = best.law_map_m_s;
-      marked_at = iteration;
+      marked_at = best.iterations;
     }
-    if (!(map > tolerance) || iteration - marked_at >= patience || !budget.allows(iteration)) break;
+    const bool waits = best.iterations - marked_at >= patience || best.iterations >= k_most_interior;
+    if (!(map > tolerance) || waits || !budget.allows(best.iterations)) break;
     find_off();
+    ++best.iterations;
     if (!factor()) break;
     const double before = gap(d, 0);
     for (std::size_t i = 0; i < 3; ++i)
@@ -379,10 +386,8 @@ InteriorOnBodies::Outcome InteriorOnBodies::run(const VecX& start, double tolera
     const double target = std::clamp(share * share * share, k_least_centring, 1.0) * before / pairs;
     aim(d, target);
     find_direction(d);
-    const double t = correct(d, target);
-    move_by(d, std::min(1.0, k_share_to_boundary * t));
+    move_by(d, k_share_to_boundary * correct(d, target));
   }
-  best.iterations = iteration;
   return best;
 }
 

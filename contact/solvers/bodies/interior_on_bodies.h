@@ -4,12 +4,14 @@
 ///
 /// Per contact, in cones of slope one (x = S^-1 r, S = diag(1, mu, mu), or diag(1/mu, 1, 1) for mu > 1), with a slack s
 /// and a multiplier m of the limit k of x_0 where there is one, and the compliance c:
-///   y = S (J z + w + c r + mu |u_T| n) + m e,   z = z_free + sum J^T S x,   x_0 + s = k
+///   y = S (J z + w + c r_N n + mu |u_T| n) + m e,   z = z_free + sum J^T S x,   x_0 + s = k
 ///   x o y = t e,   s m = t,   t -> 0,   x and y in {x_0 >= |x_T|},   s, m >= 0
 /// Predictor and corrector of Mehrotra with the scaling T of Nesterov and Todd (cone_pairs.h). mu |u_T| n is a constant
 /// of each step: the law is exact at the end, and the systems are symmetric. Eliminating dx and dy leaves
-///   (1 + sum J^T S Q' S J) dz = sum J^T S Q' (T^-1 g + r_y),   Q' = (T^-2 + C)^-1,   C = diag(S_0^2 c + m/s, 0, 0)
-/// with r_y what y is off, g the right side in the scaled point, and 6 x 6 blocks of the bodies (node_cholesky.h).
+///   (1 + sum J^T S Q' S J) dz = sum J^T S Q' (T^-1 g + r_y - l n) - r_z,   Q' = (T^-2 + C)^-1,
+///   C = diag(S_0^2 c + m/s, 0, 0)
+/// with r_y what y is off, g the right side in the scaled point, l = (right side of s m)/s, and 6 x 6 blocks of the
+/// bodies (node_cholesky.h).
 ///
 /// One factorisation per iteration and two to four solves: Gondzio's corrections lengthen short steps. A jam of 966
 /// floes and friction 0.15 takes some 12 iterations to 1e-4 m/s and 20 to 1e-5 m/s, with or without a guess. u and z
@@ -42,11 +44,13 @@ class InteriorOnBodies {
     VecX r;  ///< the impulses of the least residual seen
     double law_map_m_s = 0;
     int iterations = 0;
-    std::vector<double> history;  ///< the residual at each iterate [m/s]
+    std::vector<double> history;  ///< the residual after each iteration [m/s]
   };
   /// Runs from impulses (any, moved inside the cones first) until the residual is at most `tolerance` [m/s], it has not
   /// halved for some iterations, rounding ends it, or the budget is used up.
-  Outcome run(const VecX& start, double tolerance, const Budget& budget, Shift shift = Shift::lagged);
+  Outcome run(const VecX& start, double tolerance, const Budget& budget, Shift shift);
+  /// Goes on from where the last run ended.
+  Outcome go_on(double tolerance, const Budget& budget);
 
  private:
   struct Direction {

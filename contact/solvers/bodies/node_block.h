@@ -1,7 +1,6 @@
 #pragma once
 /// Blocks of a node's six coordinates, padded to eight so that they fill whole registers. The pads stay zero.
 #include <cstddef>
-#include <new>
 #include <vector>
 
 namespace nilas::solvers {

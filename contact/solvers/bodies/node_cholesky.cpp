@@ -72,13 +72,8 @@ NILAS_WIDE_CLONES void substitute_symmetric(const NodePlan& plan, const NodeBloc
   }
 }
 
-}  // namespace
-
-NodeCholesky::NodeCholesky(const BodyIsland& island, const NodePlan& plan)
-    : island_(island), plan_(plan), diagonal_(plan.size()), below_(plan.num_blocks()), ordered_(plan.size()) {}
-
-NILAS_WIDE_CLONES static void add_symmetric_contacts(const BodyIsland& island, const NodePlan& plan,
-                                                     const ContactMatrices& g, NodeBlock* diagonal, NodeBlock* below) {
+NILAS_WIDE_CLONES void add_symmetric_contacts(const BodyIsland& island, const NodePlan& plan, const ContactMatrices& g,
+                                              NodeBlock* diagonal, NodeBlock* below) {
   for (int c = 0; c < island.num_contacts(); ++c) {
     const auto sides = island.sides(c);
     const int* pair = plan.pair.data() + plan.pair_start[c];
@@ -100,6 +95,11 @@ NILAS_WIDE_CLONES static void add_symmetric_contacts(const BodyIsland& island, c
     }
   }
 }
+
+}  // namespace
+
+NodeCholesky::NodeCholesky(const BodyIsland& island, const NodePlan& plan)
+    : island_(island), plan_(plan), diagonal_(plan.size()), below_(plan.num_blocks()), ordered_(plan.size()) {}
 
 void NodeCholesky::assemble(const ContactMatrices& g) {
   NodeBlock one;

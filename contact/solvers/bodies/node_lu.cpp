@@ -14,7 +14,7 @@ inline bool factors_of_diagonal(NodeBlock& block) {
   auto& x = block.column;
   for (int k = 0; k < k_node_size; ++k) {
     const double inverse = 1 / x[k][k];
-    if (!std::isfinite(inverse)) return false;
+    if (!std::isfinite(inverse) || inverse == 0) return false;
     x[k][k] = inverse;
     for (int i = k + 1; i < k_node_size; ++i) x[k][i] *= inverse;
     for (int j = k + 1; j < k_node_size; ++j)

@@ -4,7 +4,7 @@
 ///
 ///   P A P^T = L U,   L unit lower, U upper, in the order of a NodePlan and without exchanges
 ///
-/// Cost: twice NodePlan::operations().
+/// Cost: twice that of node_cholesky.h.
 #include "contact/solvers/bodies/body_island.h"
 #include "contact/solvers/bodies/node_plan.h"
 

@@ -8,6 +8,9 @@ namespace nilas::solvers {
 
 namespace {
 
+constexpr std::size_t k_most_blocks = 1000000;
+constexpr double k_most_products = 3e7;
+
 /// The nodes that each node shares a contact with, itself among them, as the rows of a matrix.
 void pattern_of(const BodyIsland& island, std::vector<int>& row_start, std::vector<int>& column) {
   std::vector<std::vector<int>> lists(static_cast<std::size_t>(island.num_nodes()));
@@ -36,6 +39,16 @@ int find_block(const NodePlan& plan, int a, int b) {
   return static_cast<int>(std::lower_bound(first, last, std::max(a, b)) - plan.rows.begin());
 }
 
+/// Products of two blocks below the diagonal in one elimination.
+double num_products(const NodePlan& plan) {
+  double sum = 0;
+  for (int j = 0; j < plan.size(); ++j) {
+    const auto m = static_cast<double>(plan.start[j + 1] - plan.start[j]);
+    sum += 0.5 * m * (m + 1);
+  }
+  return sum;
+}
+
 void find_targets(NodePlan& plan) {
   for (int j = 0; j < plan.size(); ++j) {
     const std::size_t last = plan.start[j + 1];
@@ -52,25 +65,17 @@ void find_targets(NodePlan& plan) {
 
 }  // namespace
 
-double NodePlan::operations() const {
-  constexpr double dense = 72, triangular = 216, product = 432;  // of 6 x 6 blocks
-  double sum = 0;
-  for (int j = 0; j < size(); ++j) {
-    const auto m = static_cast<double>(start[j + 1] - start[j]);
-    sum += dense + m * triangular + 0.5 * m * (m + 1) * product;
-  }
-  return sum;
-}
-
-NodePlan plan_nodes(const BodyIsland& island) {
+std::optional<NodePlan> plan_nodes(const BodyIsland& island) {
   std::vector<int> row_start, column;
   pattern_of(island, row_start, column);
+  if (!contact::fills_at_most(k_most_blocks, row_start, column)) return {};
   contact::BlockFill fill = contact::block_fill(row_start, column, contact::DenseTail::none);
   NodePlan plan;
   plan.place = std::move(fill.place);
   plan.source = std::move(fill.source);
   plan.start = std::move(fill.upper.start);
   plan.rows = std::move(fill.upper.columns);
+  if (num_products(plan) > k_most_products) return {};
   find_targets(plan);
   for (int c = 0; c < island.num_contacts(); ++c) {
     const auto sides = island.sides(c);

@@ -6,6 +6,7 @@
 /// go to the diagonal block of each row s of the column, and for each later row t to the block (t, s), whose place is
 /// the next number of `target`. Order and fill are those of contact/problem/block_fill.h.
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "contact/solvers/bodies/body_island.h"
@@ -24,10 +25,10 @@ struct NodePlan {
 
   int size() const { return static_cast<int>(place.size()); }
   std::size_t num_blocks() const { return rows.size(); }
-  /// Floating-point operations of a Cholesky factorisation; LU takes twice as many.
-  double operations() const;
 };
 
-NodePlan plan_nodes(const BodyIsland& island);
+/// Nothing where the elimination fills more than a million blocks or takes more than 30 million products of blocks, as
+/// in great heaps: 0.4 GB per factor and seconds per factorisation.
+std::optional<NodePlan> plan_nodes(const BodyIsland& island);
 
 }  // namespace nilas::solvers

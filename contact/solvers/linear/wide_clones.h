@@ -7,3 +7,10 @@
 #else
 #define NILAS_WIDE_CLONES
 #endif
+
+/// Before a loop whose turns do not depend on each other, whatever its pointers.
+#if defined(__GNUC__) && !defined(__clang__)
+#define NILAS_INDEPENDENT _Pragma("GCC ivdep")
+#else
+#define NILAS_INDEPENDENT
+#endif

@@ -1,5 +1,6 @@
 #include "contact/solvers/newton/delassus_system.h"
 
+#include "contact/law/law_map.h"
 #include "contact/measure/measure.h"
 #include "contact/problem/row_of.h"
 #include "contact/solvers/newton/rounded_solve.h"
@@ -12,9 +13,12 @@ namespace {
 /// A plan is made anew when fewer than this share of its contacts carry something.
 constexpr double k_carrying_share = 0.7;
 
-}  // namespace
-
-namespace {
+/// d_a by which the residual of the problem is judged.
+std::vector<double> judged_masses_of_contacts(const contact::LocalProblem& island) {
+  std::vector<double> d;
+  for (int a = 0; a < island.num_contacts(); ++a) d.push_back(contact::contact_scale(island, a).d);
+  return d;
+}
 
 std::vector<double> inverse_masses_of_contacts(const contact::LocalProblem& island) {
   std::vector<double> d;
@@ -25,7 +29,7 @@ std::vector<double> inverse_masses_of_contacts(const contact::LocalProblem& isla
 }  // namespace
 
 DelassusSystem::DelassusSystem(const contact::LocalProblem& island, bool order_free)
-    : NewtonSystem(island, inverse_masses_of_contacts(island), island.q, order_free),
+    : NewtonSystem(island, inverse_masses_of_contacts(island), judged_masses_of_contacts(island), island.q, order_free),
       island_(island),
       block_(island.block) {
   const int nc = island.num_contacts();

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "contact/law/law_map.h"
 #include "contact/problem/row_of.h"
@@ -9,9 +10,9 @@
 
 namespace nilas::solvers {
 
-NewtonSystem::NewtonSystem(const contact::ContactCoefficients& law, const std::vector<double>& d, const VecX& q,
-                           bool order_free)
-    : law_(law), order_free_(order_free), q_(q), slopes_(d.size()) {
+NewtonSystem::NewtonSystem(const contact::ContactCoefficients& law, const std::vector<double>& d,
+                           std::vector<double> judged, const VecX& q, bool order_free)
+    : law_(law), order_free_(order_free), judged_(std::move(judged)), q_(q), slopes_(d.size()) {
   for (std::size_t a = 0; a < d.size(); ++a) {
     scale_.push_back(1 / std::sqrt(d[a]));
     cap_.push_back(law.force_limit[a] / scale_.back());
@@ -63,12 +64,11 @@ double NewtonSystem::law_map(const VecX& r) const {
   const VecX u = velocities(r);
   double worst = 0;
   for (int a = 0; a < num_contacts(); ++a) {
-    const double d = 1 / (scale_[a] * scale_[a]);
-    const contact::ContactScale scale{law_.mu[a], law_.force_limit[a], d};
+    const contact::ContactScale scale{law_.mu[a], law_.force_limit[a], judged_[a]};
     const Vec3 impulse = scale_[a] * r.segment<3>(contact::row_of(a)),
                velocity = u.segment<3>(contact::row_of(a)) / scale_[a];
     const double map = contact::law_map(law_.law, law_.facets, scale, impulse, velocity);
-    if (!(map <= worst)) worst = map;  // a NaN stays
+    if (!(map <= worst) && !std::isnan(worst)) worst = map;  // a NaN stays
   }
   return worst;
 }

@@ -38,8 +38,10 @@ class NewtonSystem {
   double map_size(const VecX& r, const VecX& u) const;
 
  protected:
-  /// `d`: d_a. `q`: q of the problem, not scaled. `order_free`: |F| is summed so that the order does not matter.
-  NewtonSystem(const contact::ContactCoefficients& law, const std::vector<double>& d, const VecX& q, bool order_free);
+  /// `d`: d_a. `judged`: the inverse masses by which `measure` turns residuals into velocities, without compliance.
+  /// `q`: q of the problem, not scaled. `order_free`: |F| is summed so that the order does not matter.
+  NewtonSystem(const contact::ContactCoefficients& law, const std::vector<double>& d, std::vector<double> judged,
+               const VecX& q, bool order_free);
 
   double law_map(const VecX& r) const;
   double scale(int a) const { return scale_[a]; }  ///< e_a
@@ -52,7 +54,7 @@ class NewtonSystem {
 
   const contact::ContactCoefficients& law_;
   bool order_free_;
-  std::vector<double> scale_;
+  std::vector<double> scale_, judged_;
   VecX q_;
   std::vector<double> cap_;
   std::vector<LawSlopes> slopes_;

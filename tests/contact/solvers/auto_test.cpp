@@ -59,6 +59,32 @@ TEST(Auto, GoesToTheBodiesWhereSweepsDoNotSuffice) {
   EXPECT_NE(stack.message.find("interior point"), std::string::npos) << stack.message;
 }
 
+/// Islands do not pay for each other: many alike cost the iterations of one.
+TEST(Auto, EveryIslandHasTheWholeBudget) {
+  const contact::ContactProblem stack = test::box_stack(std::vector<double>(12, 5.0), 0.4);
+  contact::ContactProblem many;
+  many.h = stack.h;
+  for (int copy = 0; copy < 40; ++copy) {
+    const int first = many.num_blocks();
+    for (int k = 0; k < stack.num_blocks(); ++k) {
+      many.add_block(stack.mass(k));
+      many.f.tail<6>() = stack.f.segment<6>(stack.block_offset[k]);
+    }
+    const auto placed = [&](int block) { return block < 0 ? -1 : first + block; };
+    for (int c = 0; c < stack.num_contacts(); ++c) {
+      many.add_contact(placed(stack.pairs[c].a), MatX(stack.jacobian_a(c)), placed(stack.pairs[c].b),
+                       MatX(stack.jacobian_b(c)), static_cast<std::uint64_t>(1000 * copy + c));
+      many.mu.back() = many.mu_static.back() = stack.mu[c];
+      many.w.tail<3>() = stack.w.segment<3>(contact::row_of(c));
+    }
+  }
+  const contact::ContactSolution one = solve(stack, {}, 1e-8);
+  const AutoSettings settings{.shared = {.tolerance = 1e-8, .max_iterations = one.iterations + 1}};
+  const contact::ContactSolution all = AutoSolver(settings).solve(many, {});
+  EXPECT_EQ(all.status, contact::SolveStatus::converged) << all.message;
+  EXPECT_EQ(all.iterations, one.iterations);
+}
+
 TEST(Auto, StartsFromItsOwnSolutionWithoutAnIteration) {
   const contact::ContactProblem problem = test::raft(6, 0.3, 0.8, 1);
   const contact::ContactSolution first = solve(problem), again = solve(problem, first.r);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "contact/measure/measure.h"
 #include "contact/solvers/newton/delassus_system.h"
 #include "tests/contact/solvers/bodies/island_with_vessel.h"
 
@@ -20,7 +21,7 @@ TEST(BodySystem, TakesTheStepOfTheDelassusSystem) {
       }
       const contact::PreparedProblem prepared(problem);
       const BodyIsland bodies(prepared);
-      const NodePlan plan = plan_nodes(bodies);
+      const NodePlan plan = plan_nodes(bodies).value();
       BodySystem on_bodies(prepared, bodies, plan);
       const contact::LocalProblem local = contact::reduce(problem);
       DelassusSystem between(local);
@@ -32,6 +33,9 @@ TEST(BodySystem, TakesTheStepOfTheDelassusSystem) {
       const VecX u = on_bodies.velocities(r);
       EXPECT_LT((u - between.velocities(r)).norm(), 1e-11 * u.norm());
       EXPECT_NEAR(on_bodies.linearise(r, u), between.linearise(r, u), 1e-11);
+      const double judged = contact::measure(problem, on_bodies.impulses(r)).law_map_m_s;
+      EXPECT_NEAR(on_bodies.residual(r), judged, 1e-11 * judged);
+      EXPECT_NEAR(between.residual(r), judged, 1e-11 * judged);
       VecX dr, expected;
       ASSERT_TRUE(on_bodies.step(1e-2, r, dr));
       ASSERT_TRUE(between.step(1e-2, r, expected));

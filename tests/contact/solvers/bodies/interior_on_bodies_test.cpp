@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "contact/measure/measure.h"
-#include "contact/solvers/bodies/body_ladder.h"
+#include "contact/solvers/body_ladder.h"
 #include "tests/contact/solvers/bodies/island_with_vessel.h"
 
 namespace nilas::solvers {
@@ -12,8 +14,8 @@ namespace interior_on_bodies_test {
 InteriorOnBodies::Outcome run(const contact::ContactProblem& problem, double tolerance, Shift shift) {
   const contact::PreparedProblem prepared(problem);
   const BodyIsland bodies(prepared);
-  const NodePlan plan = plan_nodes(bodies);
-  InteriorOnBodies interior(prepared, bodies, plan);
+  const auto plan = plan_nodes(bodies);
+  InteriorOnBodies interior(prepared, bodies, plan.value());
   return interior.run(VecX::Zero(3 * problem.num_contacts()), tolerance, Budget({}), shift);
 }
 
@@ -24,17 +26,22 @@ double tolerance_for(const contact::ContactProblem& problem) {
   return k_rounding_share * contact::measure(problem, VecX::Zero(3 * problem.num_contacts())).law_map_m_s;
 }
 
+/// Gives every third contact a limit, some of them compliance and some no friction.
+void make_yielding(contact::ContactProblem& problem) {
+  for (std::size_t c = 0; c < problem.pairs.size(); ++c) {
+    if (c % 3 == 0) problem.force_limit[c] = c % 2 ? 0.3 : 1e-6;
+    if (c % 4 == 1) problem.compliance[c] = 0.2;
+    if (c % 5 == 0) problem.mu[c] = problem.mu_static[c] = 0;
+  }
+}
+
 /// A convex law has no shift, so that nothing keeps the method from its rate, force limits and compliance included.
 TEST(InteriorOnBodies, SolvesConvexLawsInFewIterations) {
   for (const Law law : {Law::ccp, Law::frictionless})
     for (std::uint64_t seed = 0; seed < 10; ++seed) {
       contact::ContactProblem problem = test::largest_island(test::heap_with_vessel(seed, 9, 20, seed % 2 ? 0.3 : 1.4));
       problem.law = law;
-      for (std::size_t c = 0; c < problem.pairs.size(); ++c) {
-        if (c % 3 == 0) problem.force_limit[c] = c % 2 ? 0.3 : 1e-6;
-        if (c % 4 == 1) problem.compliance[c] = 0.2;
-        if (c % 5 == 0) problem.mu[c] = 0;
-      }
+      make_yielding(problem);
       const double tolerance = tolerance_for(problem);
       const auto found = run(problem, tolerance, Shift::lagged);
       EXPECT_LE(found.law_map_m_s, tolerance) << static_cast<int>(law) << " " << seed;
@@ -52,12 +59,15 @@ TEST(InteriorOnBodies, KeepsTheDigitsOfLimits) {
 }
 
 TEST(InteriorOnBodies, BothShiftsLeadToCoulombsLaw) {
-  for (std::uint64_t seed = 0; seed < 10; ++seed) {
-    const contact::ContactProblem problem = test::largest_island(test::heap_with_vessel(seed, 9, 20, 0.15));
-    const double tolerance = tolerance_for(problem);
-    for (const Shift shift : {Shift::lagged, Shift::differentiated})
-      EXPECT_LE(contact::measure(problem, run(problem, tolerance, shift).r).natural_map_m_s, 1.001 * tolerance) << seed;
-  }
+  for (const bool yields : {false, true})
+    for (std::uint64_t seed = 0; seed < 10; ++seed) {
+      contact::ContactProblem problem = test::largest_island(test::heap_with_vessel(seed, 9, 20, 0.15));
+      if (yields) make_yielding(problem);
+      const double tolerance = tolerance_for(problem);
+      for (const Shift shift : {Shift::lagged, Shift::differentiated})
+        EXPECT_LE(contact::measure(problem, run(problem, tolerance, shift).r).law_map_m_s, 1.001 * tolerance)
+            << seed << (yields ? " with limits" : "");
+    }
 }
 
 /// Units carry no meaning: masses a million times as large leave the velocities and the number of iterations alone.
@@ -72,32 +82,49 @@ TEST(InteriorOnBodies, IterationsDoNotDependOnTheScaleOfMasses) {
   EXPECT_LT((heavy.r - scale * light.r).norm(), 1e-9 * heavy.r.norm());
 }
 
+std::optional<BodyOutcome> climb(const contact::ContactProblem& problem, const contact::SolverSettings& settings) {
+  return solve_on_bodies(contact::PreparedProblem(problem), {}, settings, Budget(settings));
+}
+
 TEST(BodyLadder, SolvesHeapsWithMuchFrictionToRounding) {
-  for (std::uint64_t seed = 0; seed < 20; ++seed) {
-    const contact::ContactProblem problem = test::largest_island(test::heap_with_vessel(seed, 9, 20, 0.5));
-    const contact::PreparedProblem prepared(problem);
-    ASSERT_TRUE(fits_bodies(prepared));
-    const contact::SolverSettings settings{.tolerance = 1e-10, .keep_history = true};
-    const BodyOutcome found = solve_on_bodies(prepared, {}, settings, Budget(settings));
-    EXPECT_TRUE(found.has_converged) << seed << ": " << found.law_map_m_s;
-    EXPECT_EQ(found.history.empty(), false);
-  }
+  for (const double mu : {0.15, 0.5, 1.4})
+    for (std::uint64_t seed = 0; seed < 10; ++seed) {
+      contact::ContactProblem problem = test::largest_island(test::heap_with_vessel(seed, 9, 20, mu));
+      if (seed % 2 == 1) make_yielding(problem);
+      const auto found = climb(problem, {.tolerance = 1e-10, .keep_history = true});
+      ASSERT_TRUE(found.has_value());
+      EXPECT_TRUE(found->has_converged) << mu << " " << seed << ": " << found->law_map_m_s;
+      EXPECT_LE(contact::measure(problem, found->r).law_map_m_s, 1.001e-10) << mu << " " << seed;
+      EXPECT_GE(static_cast<int>(found->history.size()), found->interior);
+    }
 }
 
 TEST(BodyLadder, KeepsToItsBudget) {
   const contact::ContactProblem problem = test::largest_island(test::heap_with_vessel(2, 9, 20, 0.5));
-  const contact::PreparedProblem prepared(problem);
   contact::SolverSettings settings{.tolerance = 1e-14};
   settings.max_iterations = 7;
-  const BodyOutcome found = solve_on_bodies(prepared, {}, settings, Budget(settings));
-  EXPECT_LE(found.interior + found.newton, 7);
-  EXPECT_LT(found.law_map_m_s, contact::measure(problem, VecX::Zero(3 * problem.num_contacts())).law_map_m_s);
+  const auto found = climb(problem, settings);
+  ASSERT_TRUE(found.has_value());
+  EXPECT_LE(found->interior + found->newton, 7);
+  EXPECT_LT(found->law_map_m_s, contact::measure(problem, VecX::Zero(3 * problem.num_contacts())).law_map_m_s);
 }
 
 TEST(BodyLadder, LeavesWhatItDoesNotKnowToOthers) {
-  contact::ContactProblem problem = test::largest_island(test::heap_with_vessel(2, 9, 20, 0.5));
-  problem.law = Law::pyramid;
-  EXPECT_FALSE(fits_bodies(contact::PreparedProblem(problem)));
+  const contact::ContactProblem good = test::largest_island(test::heap_with_vessel(2, 9, 20, 0.5));
+  EXPECT_TRUE(fits_bodies(contact::PreparedProblem(good)));
+  const auto expect_refused = [&](const auto& spoil) {
+    contact::ContactProblem problem = good;
+    spoil(problem);
+    EXPECT_FALSE(fits_bodies(contact::PreparedProblem(problem)));
+    EXPECT_FALSE(climb(problem, {}).has_value());
+  };
+  const double nan = std::nan("");
+  expect_refused([](auto& problem) { problem.law = Law::pyramid; });
+  expect_refused([&](auto& problem) { problem.w[2] = nan; });
+  expect_refused([&](auto& problem) { problem.force_limit[1] = nan; });
+  expect_refused([](auto& problem) { problem.mass_data[0] = -1; });
+  expect_refused([](auto& problem) { problem.add_contact(-1, MatX(3, 0), -1, MatX(3, 0), 9999); });
+  expect_refused([](auto& problem) { problem = {}; });
 }
 
 }  // namespace interior_on_bodies_test

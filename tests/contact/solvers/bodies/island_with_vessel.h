@@ -1,5 +1,7 @@
 #pragma once
 /// A heap in which one body is a vessel of nine speeds, so that it takes two nodes.
+#include <algorithm>
+
 #include "contact/problem/islands.h"
 #include "contact/problem/prepared_problem.h"
 #include "core/base/random.h"

@@ -22,7 +22,7 @@ struct Case {
       : problem(test::largest_island(test::heap_with_vessel(seed, num_bodies, contacts, 0.3))),
         prepared(problem),
         bodies(prepared),
-        plan(plan_nodes(bodies)) {
+        plan(plan_nodes(bodies).value()) {
     RandomStream random(seed, "g");
     const Eigen::Index size = Eigen::Index{k_node_size} * bodies.num_nodes();
     dense = MatX::Identity(size, size);

@@ -1,5 +1,7 @@
 #pragma once
 /// The rungs of auto that work on the bodies of one island: interior point, then Newton from where it ends.
+#include <optional>
+
 #include "contact/problem/prepared_problem.h"
 #include "contact/solvers/shared/budget.h"
 
@@ -18,8 +20,9 @@ struct BodyOutcome {
   bool has_converged = false;
 };
 
-/// `guess`: 3 nc impulses, or empty. `island` fits_bodies.
-BodyOutcome solve_on_bodies(const contact::PreparedProblem& island, const VecX& guess,
-                            const contact::SolverSettings& settings, const Budget& budget);
+/// `guess`: 3 nc impulses, or empty. Nothing for an island that does not fit, or whose factors would be too large
+/// (node_plan.h).
+std::optional<BodyOutcome> solve_on_bodies(const contact::PreparedProblem& island, const VecX& guess,
+                                           const contact::SolverSettings& settings, const Budget& budget);
 
 }  // namespace nilas::solvers
