@@ -153,6 +153,7 @@ void Assembly::reserve_contacts(std::size_t count) {
   problem.key.reserve(count);
   problem.force_limit.reserve(count);
   problem.compliance.reserve(count);
+  problem.tangential_compliance.reserve(count);
   out_.C.reserve(count);
   out_.speed_asked.reserve(count);
 }
@@ -244,6 +245,7 @@ void Assembly::add_contact(const detect::ContactPoint& point, const FrictionPair
   problem.jacobian_offset.push_back(problem.jacobian_data.size());
   problem.force_limit.push_back(point.force_limit * settings_.h);
   problem.compliance.push_back(point.compliance);
+  problem.tangential_compliance.push_back(0);
   problem.mu.push_back(pair.mu_kinetic);
   problem.mu_static.push_back(pair.mu_static);
   problem.key.push_back(point.key);

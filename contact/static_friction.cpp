@@ -3,20 +3,23 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/law/law_map.h"
 #include "contact/problem/row_of.h"
 
 namespace nilas::contact {
 
-static double slip_of(const ContactSolution& solution, std::size_t c) {
+static double slip_of(const ContactProblem& problem, const ContactSolution& solution, std::size_t c) {
   const auto first = row_of(c);
-  return std::hypot(solution.u[first + 1], solution.u[first + 2]);
+  const Vec3 u =
+      compliant_velocity(problem, static_cast<int>(c), solution.r.segment<3>(first), solution.u.segment<3>(first));
+  return std::hypot(u[1], u[2]);
 }
 
 static SlippingContacts slipping_contacts(const StaticFriction& friction, const ContactProblem& problem,
                                           const ContactSolution& solution) {
   SlippingContacts slipping;
   for (std::size_t c = 0; c < problem.key.size(); ++c)
-    if (slip_of(solution, c) > friction.slip_speed) slipping.push_back(problem.key[c]);
+    if (slip_of(problem, solution, c) > friction.slip_speed) slipping.push_back(problem.key[c]);
   std::sort(slipping.begin(), slipping.end());
   return slipping;
 }
@@ -39,7 +42,7 @@ StaticFrictionSolution solve_with_static_friction(const StaticFriction& friction
     start = out.solution.r;
     std::vector<std::size_t> loose;
     for (std::size_t c = 0; c < kinetic.size(); ++c)
-      if (problem.mu[c] > kinetic[c] && slip_of(out.solution, c) > friction.slip_speed) loose.push_back(c);
+      if (problem.mu[c] > kinetic[c] && slip_of(problem, out.solution, c) > friction.slip_speed) loose.push_back(c);
     settled = loose.empty();
     if (out.rounds < StaticFriction::k_most_rounds)
       for (const std::size_t c : loose) problem.mu[c] = kinetic[c];

@@ -66,6 +66,8 @@ void read_coefficients(const hdf5::Hdf5Reader& file, const std::string& vectors,
   demand_at_least(file, vectors + "/force_limit", problem.force_limit, none);
   problem.compliance = read_extra(file, vectors + "/compliance", nc, none);
   demand_at_least(file, vectors + "/compliance", problem.compliance, none);
+  problem.tangential_compliance = read_extra(file, vectors + "/tangential_compliance", nc, none);
+  demand_at_least(file, vectors + "/tangential_compliance", problem.tangential_compliance, none);
   problem.key.clear();
   for (int c = 0; c < nc; ++c) problem.key.push_back(static_cast<std::uint64_t>(c));
 }
@@ -224,6 +226,7 @@ void add_moments(const RollingRows& rows, ContactProblem& problem) {
     problem.mu_static.push_back(1);
     problem.force_limit.push_back(std::numeric_limits<double>::infinity());
     problem.compliance.push_back(0);
+    problem.tangential_compliance.push_back(0);
     problem.key.push_back(static_cast<std::uint64_t>(m));
   }
 }

@@ -10,9 +10,9 @@
 /// Solutions are written with their velocities: /solution/u, and /solution/v in the global forms. Guesses are only
 /// read.
 ///
-/// FCLIB has no place for a coefficient of static friction, a force limit and a compliance. They lie in
-/// vectors/{mu_static,force_limit,compliance}. Such a list is left out where all its values are the defaults, which are
-/// mu, infinity and 0.
+/// FCLIB has no place for a coefficient of static friction, a force limit and compliances. They lie in
+/// vectors/{mu_static,force_limit,compliance,tangential_compliance}. Such a list is left out where all its values are
+/// the defaults, which are mu, infinity and 0.
 #include <filesystem>
 #include <optional>
 #include <string>

@@ -37,9 +37,11 @@ void add_coefficients(hdf5::Hdf5Writer& file, const std::string& vectors, const 
   const auto& limits = problem.force_limit;
   if (!std::all_of(limits.begin(), limits.end(), [](double x) { return std::isinf(x); }))
     file.add(vectors + "/force_limit", limits);
-  const auto& compliance = problem.compliance;
-  if (!std::all_of(compliance.begin(), compliance.end(), [](double x) { return x == 0; }))
-    file.add(vectors + "/compliance", compliance);
+  const auto add_unless_zero = [&](const char* name, const std::vector<double>& values) {
+    if (!std::all_of(values.begin(), values.end(), [](double x) { return x == 0; })) file.add(vectors + name, values);
+  };
+  add_unless_zero("/compliance", problem.compliance);
+  add_unless_zero("/tangential_compliance", problem.tangential_compliance);
 }
 
 void add_entry(std::vector<MatrixEntry>& entries, int row, int column, double value) {
@@ -127,6 +129,7 @@ void add_rolling_problem(hdf5::Hdf5Writer& file, const ContactProblem& problem, 
   contacts.mu_static = of_contacts(rows, problem.mu_static);
   contacts.force_limit = of_contacts(rows, problem.force_limit);
   contacts.compliance = of_contacts(rows, problem.compliance);
+  contacts.tangential_compliance = of_contacts(rows, problem.tangential_compliance);
   add_coefficients(file, root + "/vectors", contacts);
 }
 

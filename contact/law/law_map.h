@@ -16,9 +16,13 @@ struct ContactScale {
 ContactScale contact_scale(const ContactProblem& problem, int c, double d);
 ContactScale contact_scale(const LocalProblem& problem, int c);
 
-/// Returns the velocity that the laws use: u with c r_N added to its normal component.
-inline Vec3 compliant_velocity(double compliance, const Vec3& r, const Vec3& u) {
-  return {u[0] + compliance * r[0], u[1], u[2]};
+/// Returns the velocity that the laws use: u + C r, C = diag(normal, tangential, tangential) [m/(s N s)].
+inline Vec3 compliant_velocity(double normal, double tangential, const Vec3& r, const Vec3& u) {
+  return {u[0] + normal * r[0], u[1] + tangential * r[1], u[2] + tangential * r[2]};
+}
+/// The same for contact c of a problem.
+inline Vec3 compliant_velocity(const ContactCoefficients& contacts, int c, const Vec3& r, const Vec3& u) {
+  return compliant_velocity(contacts.compliance[c], contacts.tangential_compliance[c], r, u);
 }
 
 /// Returns the natural-map residual as an impulse, r - P(r - u/d) [N s]; zero for a contact that cannot move. Here and

@@ -289,7 +289,8 @@ Vec3 solve_pyramid(Law law, int facets, const ContactBlock& block, const Vec3& b
 
 }  // namespace
 
-ContactBlock::ContactBlock(const Mat3& w, double friction, double limit, double compliance)
+ContactBlock::ContactBlock(const Mat3& w, double friction, double limit, double compliance,
+                           double tangential_compliance)
     : nn(w(0, 0) + compliance), mu(friction), force_limit(limit) {
   const double trace = w.trace();
   x_min = k_least_motion * (trace > 0 ? trace : compliance);
@@ -300,7 +301,7 @@ ContactBlock::ContactBlock(const Mat3& w, double friction, double limit, double 
   }
   for (int i = 0; i < 2; ++i)
     for (int j = 0; j < 2; ++j) {
-      tt[2 * i + j] = w(i + 1, j + 1);
+      tt[2 * i + j] = w(i + 1, j + 1) + (i == j ? tangential_compliance : 0);
       schur[2 * i + j] = tt[2 * i + j] - tn[i] * nt[j] * inverse_nn;
     }
   stick[0] = 1 / (schur[0] + x_min);

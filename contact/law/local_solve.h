@@ -1,8 +1,8 @@
 #pragma once
 /// One contact solved exactly with all others held: the impulse r of a law for u = A r + b.
 ///
-///   A = W_aa + c n n^T (3 x 3, normal first; may be slightly asymmetric) [1/kg],   b = u - A r with r the old impulse
-///   coulomb, slipping:  u_N = 0,  u_T = -x r_T,  |r_T| = mu r_N,  x >= 0 the one unknown:
+///   A = W_aa + diag(c_N, c_T, c_T) (3 x 3, normal first; may be slightly asymmetric) [1/kg],   b = u - A r with r the
+///   old impulse coulomb, slipping:  u_N = 0,  u_T = -x r_T,  |r_T| = mu r_N,  x >= 0 the one unknown:
 ///     (S + x I) r_T = -s,  r_N = -(b_N + A_NT r_T)/A_NN,  S = A_TT - A_TN A_NT/A_NN,  s = b_T - A_TN b_N/A_NN
 ///   and mu r_N / |r_T| rises from below 1 at x = 0 (or the contact sticks) to infinity, nearly along a line, which
 ///   makes Newton's steps inside a bracket quick. One root when mu |A_NT|/A_NN is small; else the root found is one of
@@ -20,7 +20,7 @@ namespace nilas::contact {
 /// The data of a contact that stay constant while other contacts change.
 struct ContactBlock {
   ContactBlock() = default;
-  ContactBlock(const Mat3& w, double mu, double force_limit, double compliance);
+  ContactBlock(const Mat3& w, double mu, double force_limit, double compliance, double tangential_compliance);
 
   double nn = 0;                   ///< A_NN
   double inverse_nn = 0;           ///< 1/A_NN, 0 when nothing yields along the normal

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/law/law_map.h"
 #include "contact/measure/measure.h"
 
 namespace nilas::contact {
@@ -34,15 +35,19 @@ ContactCounts count_contacts(const ContactProblem& problem, const VecX& r, const
   for (int c = 0; c < problem.num_contacts(); ++c) {
     if (problem.is_moment(c)) continue;
     const auto i = static_cast<std::size_t>(c);
-    counter.add(diagonal[i].trace() / 3, problem.mu[i], r.segment<3>(3 * c), u.segment<3>(3 * c));
+    const Vec3 r_c = r.segment<3>(3 * c);
+    counter.add(diagonal[i].trace() / 3, problem.mu[i], r_c, compliant_velocity(problem, c, r_c, u.segment<3>(3 * c)));
   }
   return counter.counts;
 }
 
 ContactCounts count_contacts(const LocalProblem& problem, const VecX& r, const VecX& u) {
   Counter counter{k_slip * measure(problem, r).law_map_m_s, {}};
-  for (int c = 0; c < problem.num_contacts(); ++c)
-    counter.add(problem.diagonal(c).trace() / 3, problem.mu[c], r.segment<3>(3 * c), u.segment<3>(3 * c));
+  for (int c = 0; c < problem.num_contacts(); ++c) {
+    const Vec3 r_c = r.segment<3>(3 * c);
+    counter.add(problem.diagonal(c).trace() / 3, problem.mu[c], r_c,
+                compliant_velocity(problem, c, r_c, u.segment<3>(3 * c)));
+  }
   return counter.counts;
 }
 

@@ -20,7 +20,7 @@ ImpulseResidual impulse_residual(const ContactProblem& problem, int c, double d,
   const auto segment = [&](int i) -> Vec3 { return r.segment<3>(row_of(i)); };
   const ContactScale scale = contact_scale(problem, c, d);
   const Vec3 r_c = segment(c);
-  const Vec3 u = compliant_velocity(problem.compliance[c], r_c, contact_velocity(problem, c, v.data()));
+  const Vec3 u = compliant_velocity(problem, c, r_c, contact_velocity(problem, c, v.data()));
   const Vec3 closed = without_hover(problem.law, scale.mu, gap_speed, u);
   const int m = problem.moment_of(c);
   if (m < 0) {

@@ -105,7 +105,7 @@ Residuals measure(const PreparedProblem& prepared, const VecX& r, const VecX& v)
   for (int c = 0; c < problem.num_contacts(); ++c) {
     const Vec3 r_c = r.segment<3>(row_of(c));
     const ContactScale scale = contact_scale(problem, c, prepared.inverse_mass_scales()[c]);
-    const Vec3 u = compliant_velocity(problem.compliance[c], r_c, contact_velocity(problem, c, v.data()));
+    const Vec3 u = compliant_velocity(problem, c, r_c, contact_velocity(problem, c, v.data()));
     add_impulse(problem, c, -r_c, excess.data());
     if (problem.is_moment(c)) continue;  // judged with its contact
     const int m = problem.moment_of(c);
@@ -148,7 +148,7 @@ Residuals measure(const LocalProblem& problem, const VecX& r) {
     const auto first = row_of(c);
     const ContactScale scale = contact_scale(problem, c);
     const Vec3 r_c = r.segment<3>(first);
-    const Vec3 u = compliant_velocity(problem.compliance[c], r_c, velocity.segment<3>(first));
+    const Vec3 u = compliant_velocity(problem, c, r_c, velocity.segment<3>(first));
     measure_contact(maps_of(problem.law, problem.facets, scale, r_c, u), scale, r_c, u, out);
   }
   if (problem.num_contacts() > 0) out.natural_map_rms_m_s = std::sqrt(out.natural_map_rms_m_s / problem.num_contacts());

@@ -43,7 +43,10 @@ Matrix sparse_operator(const LocalProblem& problem) {
     for (int k = problem.row_start[a]; k < problem.row_start[static_cast<std::size_t>(a) + 1]; ++k) {
       const int b = problem.column[k];
       Mat3 block = problem.block[k];
-      if (a == b) block(0, 0) += problem.compliance[a];
+      if (a == b) {
+        const double tangential = problem.tangential_compliance[a];
+        block.diagonal() += Vec3(problem.compliance[a], tangential, tangential);
+      }
       for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j) NM_entry(matrix.get(), 3 * a + i, 3 * b + j, block(i, j));
     }

@@ -1,7 +1,7 @@
 #pragma once
 /// Solvers of Siconos numerics (Inria), for comparison only; built with NILAS_PEER_SOLVERS.
 ///
-/// The whole problem goes over, as its users have it: W (as stored, with the compliance on its normal diagonal), q, mu;
+/// The whole problem goes over, as its users have it: W (as stored, with the compliances on its diagonal), q, mu;
 /// law coulomb. Siconos stops on residuals relative to the largest number of the problem, so each solver is run down a
 /// ladder of relative tolerances, 1e-4 to 1e-16, always from the guess, until `measure` finds law_map_m_s at most the
 /// tolerance of `shared`. Source: Acary, Bremond, Huber 2018; the library is Debian's libsiconos-numerics.

@@ -65,6 +65,7 @@ ContactSolution SimbodyPgsSolver::solve_island(const LocalProblem& island, const
     contact.m_effMu = island.mu[c];
     contacts.push_back(contact);
     D[3 * c] = island.compliance[c];
+    for (int i = 1; i < 3; ++i) D[3 * c + i] = island.tangential_compliance[c];
     for (int i = 0; i < 3; ++i) {
       participating.push_back(SimTK::MultiplierIndex(3 * c + i));
       start[3 * c + i] = island.q[3 * c + i];

@@ -2,7 +2,7 @@
 /// Simbody's PGSImpulseSolver (over-relaxed projected Gauss-Seidel on a cone), for comparison only; built with
 /// NILAS_PEER_SOLVERS. It works on a dense W, symmetric: islands above 1000 contacts are refused.
 ///
-///   [A + D] pi = verr,  pi = -r,  verr = q,  A = (W + W^T)/2,  D the compliance of the normal rows;  law coulomb
+///   [A + D] pi = verr,  pi = -r,  verr = q,  A = (W + W^T)/2,  D the compliances;  law coulomb
 /// Its own stop is a change of the iterate; `measure` decides what is converged. Library: Simbody 3.7.
 #include "contact/solvers/solver.h"
 

@@ -17,8 +17,12 @@ struct ContactCoefficients {
   std::vector<double> mu;           ///< nc, kinetic friction coefficient
   std::vector<double> mu_static;    ///< nc, >= mu
   std::vector<double> force_limit;  ///< nc, largest normal impulse (infinite: none) [N s]
-  std::vector<double> compliance;   ///< nc, u_N + c r_N replaces u_N [m/(s N s)]
-  std::vector<std::uint64_t> key;   ///< nc, distinct, stable from step to step
+  std::vector<double> compliance;   ///< nc, >= 0, c_N: u_N + c_N r_N replaces u_N [m/(s N s)]
+  /// nc, >= 0, c_T: u_T + c_T r_T replaces u_T [m/(s N s)]. For a spring it is the speed of slip, so it takes the place
+  /// of u_T everywhere in the law, in mu |u_T| as well: with C = diag(c_N, c_T, c_T) a solver works with W + C for W.
+  /// Zero for moments.
+  std::vector<double> tangential_compliance;
+  std::vector<std::uint64_t> key;  ///< nc, distinct, stable from step to step
 
   bool operator==(const ContactCoefficients&) const = default;
 };
@@ -27,11 +31,12 @@ struct ContactCoefficients {
 /// member, so a new one does not compile until it is added here.
 template <class Use>
 void for_each_list(ContactCoefficients& one, const ContactCoefficients& other, const Use& use) {
-  auto& [law, facets, mu, mu_static, force_limit, compliance, key] = one;
+  auto& [law, facets, mu, mu_static, force_limit, compliance, tangential_compliance, key] = one;
   use(mu, other.mu);
   use(mu_static, other.mu_static);
   use(force_limit, other.force_limit);
   use(compliance, other.compliance);
+  use(tangential_compliance, other.tangential_compliance);
   use(key, other.key);
 }
 

@@ -12,7 +12,8 @@ const ContactProblem& checked(const ContactProblem& problem) {
   const std::size_t nc = problem.pairs.size();
   NILAS_DEMAND(problem.f.size() == problem.num_velocities());
   NILAS_DEMAND(problem.w.size() == 3 * problem.num_contacts() && problem.jacobian_offset.size() == nc + 1);
-  NILAS_DEMAND(problem.mu.size() == nc && problem.force_limit.size() == nc && problem.compliance.size() == nc);
+  NILAS_DEMAND(problem.mu.size() == nc && problem.force_limit.size() == nc && problem.compliance.size() == nc &&
+               problem.tangential_compliance.size() == nc);
   NILAS_DEMAND(problem.key.size() == nc);
   return problem;
 }

@@ -55,6 +55,7 @@ int ContactProblem::add_contact(int block_a, const Eigen::Ref<const MatX>& jacob
   mu_static.push_back(0);
   force_limit.push_back(std::numeric_limits<double>::infinity());
   compliance.push_back(0);
+  tangential_compliance.push_back(0);
   key.push_back(contact_key);
   if (has_moments()) moments.emplace_back();
   return num_contacts() - 1;

@@ -91,15 +91,18 @@ static void check_coefficients(const Problem& problem) {
   demand_size("mu_static", problem.mu_static.size(), nc);
   demand_size("force_limit", problem.force_limit.size(), nc);
   demand_size("compliance", problem.compliance.size(), nc);
+  demand_size("tangential_compliance", problem.tangential_compliance.size(), nc);
   demand_finite("mu", problem.mu);
   demand_finite("mu_static", problem.mu_static);
   demand_finite("compliance", problem.compliance);
+  demand_finite("tangential_compliance", problem.tangential_compliance);
   for (std::size_t c = 0; c < nc; ++c) {
     const std::string contact = "contact " + std::to_string(c);
     if (problem.mu[c] < 0) refuse("mu", contact + " is negative");
     if (problem.mu_static[c] < problem.mu[c]) refuse("mu_static", contact + " is below mu");
     if (!(problem.force_limit[c] >= 0)) refuse("force_limit", contact + " is negative or not a number");
     if (problem.compliance[c] < 0) refuse("compliance", contact + " is negative");
+    if (problem.tangential_compliance[c] < 0) refuse("tangential_compliance", contact + " is negative");
   }
 }
 

@@ -193,8 +193,7 @@ std::vector<std::vector<int>> unsolved(const contact::PreparedProblem& prepared,
   const auto is_solved = [&](int c) {
     const double d = prepared.inverse_mass_scales()[c];
     const Vec3 r_c = r.segment<3>(contact::row_of(c));
-    const Vec3 u =
-        contact::compliant_velocity(problem.compliance[c], r_c, contact::contact_velocity(problem, c, v.data()));
+    const Vec3 u = contact::compliant_velocity(problem, c, r_c, contact::contact_velocity(problem, c, v.data()));
     return contact::law_map(problem.law, problem.facets, contact::contact_scale(problem, c, d), r_c, u) <= tolerance;
   };
   auto islands = prepared.islands();

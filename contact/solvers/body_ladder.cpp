@@ -130,10 +130,13 @@ bool fits_bodies(const contact::PreparedProblem& island) {
     return std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); });
   };
   const auto& scales = island.inverse_mass_scales();
+  // the interior point takes no springs along the tangents
+  const auto is_stiff = [](double compliance) { return compliance == 0; };
   const auto has_limit = [](double limit) { return !std::isnan(limit); };
   return problem.num_contacts() > 0 && is_cone && !problem.has_moments() && has_roots(island) &&
          problem.f.allFinite() && problem.w.allFinite() && all_finite(problem.jacobian_data) &&
          all_finite(problem.mu) && all_finite(problem.compliance) &&
+         std::all_of(problem.tangential_compliance.begin(), problem.tangential_compliance.end(), is_stiff) &&
          std::all_of(problem.force_limit.begin(), problem.force_limit.end(), has_limit) &&
          std::all_of(scales.begin(), scales.end(), [](double d) { return d > 0; });
 }

@@ -8,7 +8,7 @@
 namespace nilas::solvers {
 
 /// Whether an island can be solved on its bodies: laws coulomb, ccp and frictionless, masses that have a root, numbers
-/// that are finite, and no contact whose two sides cannot move.
+/// that are finite, no contact whose two sides cannot move, and no tangential compliance.
 bool fits_bodies(const contact::PreparedProblem& island);
 
 struct BodyOutcome {

@@ -125,7 +125,10 @@ std::vector<std::vector<State>> combinations(const contact::LocalProblem& proble
 
 MatX dense_matrix(const contact::LocalProblem& problem) {
   MatX w = contact::sparse_matrix(problem);
-  for (int c = 0; c < problem.num_contacts(); ++c) w(3 * c, 3 * c) += problem.compliance[c];
+  for (int c = 0; c < problem.num_contacts(); ++c) {
+    const double tangential = problem.tangential_compliance[c];
+    w.diagonal().segment<3>(contact::row_of(c)) += Vec3(problem.compliance[c], tangential, tangential);
+  }
   return w;
 }
 

@@ -23,7 +23,10 @@ class LocalOperator final : public IslandOperator {
 
   void velocities(const VecX& r, VecX& u) override {
     u = contact::contact_velocities(problem_, r);
-    for (int c = 0; c < num_contacts(); ++c) u[contact::row_of(c)] += problem_.compliance[c] * r[contact::row_of(c)];
+    for (int c = 0; c < num_contacts(); ++c) {
+      const auto first = contact::row_of(c);
+      u.segment<3>(first) = contact::compliant_velocity(problem_, c, r.segment<3>(first), u.segment<3>(first));
+    }
   }
 
   double law_map(const VecX& r) override {
@@ -82,7 +85,8 @@ class RowsOperator final : public IslandOperator {
   void gather(const PgsContact& c, const double* r, double* u) {
     with_sides(c, [&](const auto& sides) {
       u[0] = sides.velocity(0) + c.w[0] + c.compliance * r[0];
-      for (int i = 1; i < 3; ++i) u[i] = law_ == Law::frictionless ? 0 : sides.velocity(i) + c.w[i];
+      for (int i = 1; i < 3; ++i)
+        u[i] = law_ == Law::frictionless ? 0 : sides.velocity(i) + c.w[i] + c.tangential_compliance * r[i];
     });
   }
 

@@ -30,10 +30,10 @@ class NsgsLocal : public LocalSweeps {
   NsgsLocal(const contact::LocalProblem& problem, const VecX& guess) : LocalSweeps(problem, guess) {
     for (int c = 0; c < problem.num_contacts(); ++c) {
       const auto i = static_cast<std::size_t>(c);
-      contacts_.push_back(
-          {contact::ContactBlock(problem.diagonal(c), problem.mu[i], problem.force_limit[i], problem.compliance[i]),
-           {0, r_[contact::row_of(c)]},
-           scales_[i].d});
+      contacts_.push_back({contact::ContactBlock(problem.diagonal(c), problem.mu[i], problem.force_limit[i],
+                                                 problem.compliance[i], problem.tangential_compliance[i]),
+                           {0, r_[contact::row_of(c)]},
+                           scales_[i].d});
     }
   }
 
@@ -51,7 +51,7 @@ class NsgsLocal : public LocalSweeps {
   double visit(int c) {
     NsgsContact& own = contacts_[c];
     const Vec3 old = r_.segment<3>(contact::row_of(c));
-    const Vec3 u = contact::compliant_velocity(problem_.compliance[c], old, velocity(c));
+    const Vec3 u = contact::compliant_velocity(problem_, c, old, velocity(c));
     const Vec3 r =
         contact::solve_in_sweep(problem_.law, problem_.facets, own.block, own.block.without(old, u), own.start);
     r_.segment<3>(contact::row_of(c)) = r;

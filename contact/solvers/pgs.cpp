@@ -26,7 +26,8 @@ class PgsLocal : public LocalSweeps {
   PgsLocal(const contact::LocalProblem& problem, const VecX& guess) : LocalSweeps(problem, guess) {
     for (int c = 0; c < problem.num_contacts(); ++c) {
       const auto i = static_cast<std::size_t>(c);
-      weights_.push_back(row_weights(problem.diagonal(c), problem.law, problem.compliance[i], problem.force_limit[i]));
+      weights_.push_back(row_weights(problem.diagonal(c), problem.law, problem.compliance[i],
+                                     problem.tangential_compliance[i], problem.force_limit[i]));
       step(c, impulse(c));  // makes the guess admissible
     }
   }
@@ -64,9 +65,9 @@ class PgsLocal : public LocalSweeps {
     const auto i = static_cast<std::size_t>(c);
     const Mat3& w = problem_.diagonal(c);
     const double* const weight = weights_[i].weight;
-    const Vec3 r = impulse(c), u = velocity(c);
+    const Vec3 r = impulse(c), u = contact::compliant_velocity(problem_, c, r, velocity(c));
     Vec3 wanted = r;
-    wanted[0] -= weight[0] * (u[0] + problem_.compliance[i] * r[0]);
+    wanted[0] -= weight[0] * u[0];
     const double change = weights_[i].unanswerable ? 0 : std::clamp(wanted[0], 0.0, problem_.force_limit[i]) - r[0];
     for (int k = 1; k < 3; ++k) wanted[k] -= weight[k] * (u[k] + w(k, 0) * change);
     step(c, wanted, weight[2] * w(2, 1));

@@ -46,7 +46,8 @@ std::string unfit(const contact::LocalProblem& problem, const VecX& guess) {
   bool finite = problem.q.allFinite() && guess.allFinite();
   for (const Mat3& block : problem.block) finite = finite && block.allFinite();
   for (std::size_t a = 0; a < problem.mu.size(); ++a) {
-    finite = finite && std::isfinite(problem.mu[a]) && std::isfinite(problem.compliance[a]);
+    finite = finite && std::isfinite(problem.mu[a]) && std::isfinite(problem.compliance[a]) &&
+             std::isfinite(problem.tangential_compliance[a]);
     if (std::isnan(problem.force_limit[a])) return "a force limit is not a number";
   }
   if (!finite) return "the problem or the guess holds numbers that are not finite";

@@ -8,7 +8,8 @@ namespace {
 
 std::vector<double> inverse_masses_of_bodies(const contact::PreparedProblem& island) {
   std::vector<double> d = island.inverse_mass_scales();
-  for (std::size_t c = 0; c < d.size(); ++c) d[c] += island.problem().compliance[c] / 3;
+  for (std::size_t c = 0; c < d.size(); ++c)
+    d[c] += (island.problem().compliance[c] + 2 * island.problem().tangential_compliance[c]) / 3;
   return d;
 }
 
@@ -44,12 +45,19 @@ VecX BodySystem::seen(const NodeVector& z) const {
   return out;
 }
 
+/// C of a contact, scaled.
+Vec3 BodySystem::compliance(int c) const {
+  const contact::ContactProblem& problem = island_.problem();
+  const double tangential = problem.tangential_compliance[c];
+  return scale(c) * scale(c) * Vec3(problem.compliance[c], tangential, tangential);
+}
+
 VecX BodySystem::product(const VecX& r) const {
   NodeVector z(static_cast<std::size_t>(bodies_.num_nodes()));
   moved(r, z);
   VecX out = seen(z);
   for (int c = 0; c < num_contacts(); ++c)
-    out[contact::row_of(c)] += scale(c) * scale(c) * island_.problem().compliance[c] * r[contact::row_of(c)];
+    out.segment<3>(contact::row_of(c)) += compliance(c).cwiseProduct(r.segment<3>(contact::row_of(c)));
   return out;
 }
 
@@ -64,7 +72,7 @@ bool BodySystem::step(double weight, const VecX& r, VecX& dr) {
       continue;
     }
     Mat3 k = weight * laws[c].by_velocity + laws[c].by_impulse;
-    k.col(0) += scale(c) * scale(c) * island_.problem().compliance[c] * laws[c].by_velocity.col(0);
+    k += laws[c].by_velocity * compliance(c).asDiagonal();
     const Mat3 inverse = k.inverse();
     by_motion[c] = inverse * laws[c].by_velocity;
     push.segment<3>(row) = -inverse * laws[c].value;

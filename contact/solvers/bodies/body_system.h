@@ -26,6 +26,7 @@ class BodySystem final : public NewtonSystem {
  private:
   void moved(const VecX& r, NodeVector& z) const;
   VecX seen(const NodeVector& z) const;
+  Vec3 compliance(int c) const;
 
   const contact::PreparedProblem& island_;
   const BodyIsland& bodies_;

@@ -22,7 +22,8 @@ std::vector<double> judged_masses_of_contacts(const contact::LocalProblem& islan
 
 std::vector<double> inverse_masses_of_contacts(const contact::LocalProblem& island) {
   std::vector<double> d;
-  for (int a = 0; a < island.num_contacts(); ++a) d.push_back((island.diagonal(a).trace() + island.compliance[a]) / 3);
+  for (int a = 0; a < island.num_contacts(); ++a)
+    d.push_back((island.diagonal(a).trace() + island.compliance[a] + 2 * island.tangential_compliance[a]) / 3);
   return d;
 }
 
@@ -36,7 +37,10 @@ DelassusSystem::DelassusSystem(const contact::LocalProblem& island, bool order_f
   for (int a = 0; a < nc; ++a)
     for (int k = island.row_start[a]; k < island.row_start[a + 1]; ++k) {
       const int b = island.column[k];
-      if (a == b) block_[k](0, 0) += island.compliance[a];
+      if (a == b) {
+        block_[k](0, 0) += island.compliance[a];
+        for (int i = 1; i < 3; ++i) block_[k](i, i) += island.tangential_compliance[a];
+      }
       block_[k] *= scale(a) * scale(b);
     }
   place_.assign(nc, -1);

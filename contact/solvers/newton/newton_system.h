@@ -2,8 +2,8 @@
 /// The linear systems of Newton's method on one island, in units of sqrt(J) where every contact's inverse mass is
 /// about 1.
 ///
-///   e_a = 1/sqrt(d_a),  r = e r',  u' = e u = W' r' + q',  W' = e (W + compliance) e,  q' = e q,
-///   d_a = (trace(W_aa) + c_a)/3
+///   e_a = 1/sqrt(d_a),  r = e r',  u' = e u = W' r' + q',  W' = e (W + C) e,  q' = e q,
+///   d_a = trace(W_aa + C_a)/3,  C the diagonal of compliances
 ///   F(r', u') = 0 where the law holds (law_slopes.h), with U = dF/du', R = dF/dr'
 ///   (U (W' + a I) + R) dr' = -F        a: proximal weight
 ///

@@ -23,9 +23,12 @@ MassScaled mass_scaled(const contact::LocalProblem& island) {
   scaled.q = island.q;
   VecX rows(3 * nc);
   for (int a = 0; a < nc; ++a) {
-    const double compliance = island.compliance[a];
-    scaled.w.coeffRef(contact::row_of(a), contact::row_of(a)) += compliance;
-    const double d = (island.diagonal(a).trace() + compliance) / 3;
+    const auto first = contact::row_of(a);
+    const double normal = island.compliance[a], tangential = island.tangential_compliance[a];
+    scaled.w.coeffRef(first, first) += normal;
+    if (tangential > 0)
+      for (const auto row : {first + 1, first + 2}) scaled.w.coeffRef(row, row) += tangential;
+    const double d = (island.diagonal(a).trace() + normal + 2 * tangential) / 3;
     const double e = 1 / std::sqrt(d);
     scaled.scale.push_back(e);
     rows.segment<3>(contact::row_of(a)).setConstant(e);

@@ -1,8 +1,8 @@
 #pragma once
 /// One island of a local problem in units of sqrt(J), where every contact has about the same inverse mass.
 ///
-///   e_a = 1/sqrt(d_a),  r = e r',  u' = e u = W' r' + q',  W' = e (W + compliance) e,  q' = e q,
-///   d_a = (trace(W_aa) + c_a)/3
+///   e_a = 1/sqrt(d_a),  r = e r',  u' = e u = W' r' + q',  W' = e (W + C) e,  q' = e q,
+///   d_a = trace(W_aa + C_a)/3,  C the diagonal of compliances
 ///
 /// Cones are unchanged, because e_a multiplies all three rows of a contact alike, and the natural map in m/s is
 /// sqrt(d_a) |r'_a - P(r'_a - u'_a)|.
@@ -39,8 +39,9 @@ double convex_map(const MassScaled& problem, const VecX& scaled, const VecX& vel
 /// mu_a |u'_Ta| on the normal rows, 0 elsewhere: u' + this is De Saxce's velocity.
 VecX de_saxce_shift(const MassScaled& problem, const VecX& velocity);
 
-/// The solution of an island that holds a contact whose sides cannot move (W_aa = 0, no compliance): the limit where it
-/// closes, else 0; numerical_error naming its key where it closes without a limit. Empty for all other islands.
+/// The solution of an island that holds a contact whose sides cannot move (W_aa = 0, no normal compliance): the limit
+/// where it closes, else 0; numerical_error naming its key where it closes without a limit. Empty for all other
+/// islands.
 std::optional<contact::ContactSolution> solve_immovable(const contact::LocalProblem& island);
 
 }  // namespace nilas::solvers

@@ -21,8 +21,8 @@ double visit(PgsContact& c, NsgsContact& own, const double* coefficients, double
   if (path != Path::ccp && u[0] >= 0 && c.r[0] == 0) return 0;
   const bool normal_only = law == Law::frictionless;
   if (!normal_only) {
-    u[1] = sides.velocity(1) + c.w[1];
-    u[2] = sides.velocity(2) + c.w[2];
+    u[1] = sides.velocity(1) + c.w[1] + c.tangential_compliance * c.r[1];
+    u[2] = sides.velocity(2) + c.w[2] + c.tangential_compliance * c.r[2];
   }
   const Vec3 old(c.r[0], c.r[1], c.r[2]);
   const Vec3 b = own.block.without(old, u);
@@ -144,7 +144,9 @@ std::vector<NsgsContact> make_nsgs_contacts(const PgsRows& rows, const PgsIsland
   for (int k = island.first; k < island.last; ++k) {
     const PgsContact& c = rows.contacts[k];
     const Mat3 w = block_of(c, rows.law);
-    blocks.push_back({contact::ContactBlock(w, c.mu, c.force_limit, c.compliance), {0, c.r[0]}, w.trace() / 3});
+    blocks.push_back({contact::ContactBlock(w, c.mu, c.force_limit, c.compliance, c.tangential_compliance),
+                      {0, c.r[0]},
+                      w.trace() / 3});
   }
   return blocks;
 }

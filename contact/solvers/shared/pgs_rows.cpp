@@ -91,7 +91,7 @@ static void link_moments(const contact::ContactProblem& problem, PgsRows& rows) 
   }
 }
 
-RowWeights row_weights(const Mat3& w, Law law, double compliance, double force_limit) {
+RowWeights row_weights(const Mat3& w, Law law, double compliance, double tangential_compliance, double force_limit) {
   const double smallest = k_immovable_share * contact::inverse_mass_scale(w);
   const auto weight = [&](double inverse_mass) {
     return inverse_mass > smallest ? 1 / inverse_mass : k_immovable_mass;
@@ -100,9 +100,10 @@ RowWeights row_weights(const Mat3& w, Law law, double compliance, double force_l
   rows.weight[0] = compliance > 0 ? 1 / (w(0, 0) + compliance) : weight(w(0, 0));
   rows.unanswerable = rows.weight[0] == k_immovable_mass && std::isinf(force_limit);
   if (rows.unanswerable) rows.weight[0] = 0;
-  const double larger = std::max(w(1, 1), w(2, 2));
-  rows.weight[1] = weight(law == Law::coulomb ? larger : w(1, 1));
-  rows.weight[2] = weight(law == Law::coulomb ? larger : w(2, 2));
+  const double first = w(1, 1) + tangential_compliance, second = w(2, 2) + tangential_compliance;
+  const double larger = std::max(first, second);
+  rows.weight[1] = weight(law == Law::coulomb ? larger : first);
+  rows.weight[2] = weight(law == Law::coulomb ? larger : second);
   return rows;
 }
 
@@ -111,7 +112,7 @@ static void set_weights(const Mat3& w, Law law, PgsContact& contact) {
   contact.coupling[0] = w(1, 0);
   contact.coupling[1] = w(2, 0);
   contact.coupling[2] = w(2, 1);
-  const RowWeights rows = row_weights(w, law, contact.compliance, contact.force_limit);
+  const RowWeights rows = row_weights(w, law, contact.compliance, contact.tangential_compliance, contact.force_limit);
   std::copy_n(rows.weight, 3, contact.weight);
   contact.unanswerable = rows.unanswerable;
 }
@@ -199,6 +200,7 @@ static void fill_contact(const contact::ContactProblem& problem, const contact::
   contact.mu = problem.mu[i];
   contact.force_limit = problem.force_limit[i];
   contact.compliance = problem.compliance[i];
+  contact.tangential_compliance = problem.tangential_compliance[i];
   Eigen::Map<Vec3>{contact.w} = problem.w.segment<3>(first);
   set_weights(w, rows.law, contact);
   if (contact.bound_by >= 0) {  // bounded at its first visit
@@ -212,7 +214,8 @@ static void fill_contact(const contact::ContactProblem& problem, const contact::
 static bool all_finite(const PgsRows& rows) {
   if (!rows.velocities.allFinite()) return false;
   return std::all_of(rows.contacts.begin(), rows.contacts.end(), [](const PgsContact& contact) {
-    bool finite = std::isfinite(contact.mu) && std::isfinite(contact.compliance) && !std::isnan(contact.force_limit);
+    bool finite = std::isfinite(contact.mu) && std::isfinite(contact.compliance) &&
+                  std::isfinite(contact.tangential_compliance) && !std::isnan(contact.force_limit);
     for (int i = 0; i < 3; ++i)
       finite =
           finite && std::isfinite(contact.w[i]) && std::isfinite(contact.diagonal[i]) && std::isfinite(contact.r[i]);

@@ -22,12 +22,12 @@ enum class PgsShape { six_six, six_none, none_six, general };
 struct PgsContact {
   double r[3] = {0, 0, 0};
   double w[3] = {0, 0, 0};
-  double weight[3] = {0, 0, 0};    ///< impulse per velocity of each row's step: 1/(W_ii + c)
+  double weight[3] = {0, 0, 0};    ///< impulse per velocity of each row's step: 1/(W_ii + c_i)
   double diagonal[3] = {0, 0, 0};  ///< W_ii
   double coupling[3] = {0, 0, 0};  ///< W_T1N, W_T2N, W_T2T1
   double mu = 0;
   double force_limit = 0;
-  double compliance = 0;
+  double compliance = 0, tangential_compliance = 0;
   Eigen::Index rows = 0, responses = 0;  ///< indices into PgsRows::coefficients
   int first_a = 0, first_b = 0;          ///< indices into PgsRows::velocities
   int size_a = 0, size_b = 0;
@@ -45,7 +45,7 @@ struct RowWeights {
   bool unanswerable = false;  ///< same meaning as in PgsContact; the normal's weight is then 0
 };
 /// `w`: W_cc, its diagonal is read. A row that cannot move gets a weight that drives its impulse to its bound at once.
-RowWeights row_weights(const Mat3& w, Law law, double compliance, double force_limit);
+RowWeights row_weights(const Mat3& w, Law law, double compliance, double tangential_compliance, double force_limit);
 
 /// How the contacts of a large island stand in the rows: in the problem's order, or grouped into colours of contacts
 /// that share no moving block (solvers/shared/colouring.h).

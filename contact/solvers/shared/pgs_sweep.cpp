@@ -55,8 +55,8 @@ double visit(PgsContact& c, const double* coefficients, double* velocities) {
     if (dn != 0) sides.apply_normal(dn);
     return change;
   }
-  const double u1 = sides.velocity(1) + c.w[1] + c.coupling[0] * dn;
-  const double u2 = sides.velocity(2) + c.w[2] + c.coupling[1] * dn;
+  const double u1 = sides.velocity(1) + c.w[1] + c.coupling[0] * dn + c.tangential_compliance * c.r[1];
+  const double u2 = sides.velocity(2) + c.w[2] + c.coupling[1] * dn + c.tangential_compliance * c.r[2];
   const TangentStep step = law == Law::pyramid ? step_box(c, u1, u2) : step_disc(c, u1, u2);
   sides.apply(dn, step.d1, step.d2);
   if (track) change = std::max({change, std::abs(step.d1) * c.diagonal[1], std::abs(step.d2) * c.diagonal[2]});

@@ -27,8 +27,7 @@ double RowResidual::law_map(const PgsRows& rows, const PgsIsland& island) {
     if (contact.bound_by >= 0) continue;  // judged with its contact
     const int c = rows.source[i];
     const Vec3 r = Eigen::Map<const Vec3>(contact.r);
-    const Vec3 u =
-        contact::compliant_velocity(problem_.compliance[c], r, contact::contact_velocity(problem_, c, v_.data()));
+    const Vec3 u = contact::compliant_velocity(problem_, c, r, contact::contact_velocity(problem_, c, v_.data()));
     const double map = contact.moment < 0
                            ? nilas::contact::law_map(problem_.law, problem_.facets, rows.scales[i], r, u)
                            : nilas::contact::law_map(

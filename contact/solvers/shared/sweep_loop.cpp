@@ -37,7 +37,7 @@ double LocalSweeps::law_map() const {
   for (int c = 0; c < problem_.num_contacts(); ++c) {
     const auto i = static_cast<std::size_t>(c);
     const Vec3 r = r_.segment<3>(contact::row_of(c));
-    const Vec3 own = contact::compliant_velocity(problem_.compliance[i], r, u.segment<3>(contact::row_of(c)));
+    const Vec3 own = contact::compliant_velocity(problem_, c, r, u.segment<3>(contact::row_of(c)));
     const double map = nilas::contact::law_map(problem_.law, problem_.facets, scales_[i], r, own);
     if (!(map <= worst)) worst = map;
     if (std::isnan(worst)) break;

@@ -130,6 +130,7 @@ TEST(FclibIo, LocalProblemsComeBackAsWritten) {
   problem.mu_static[1] = 0.6;
   problem.force_limit[0] = 7;
   problem.compliance[1] = 1e-4;
+  problem.tangential_compliance[0] = 2e-4;
   read.title = "two contacts";
   ContactSolution solution;
   solution.r = VecX{{1, 0.1, 0, 2, 0, 0.3}};
@@ -142,6 +143,7 @@ TEST(FclibIo, LocalProblemsComeBackAsWritten) {
   EXPECT_EQ(same.mu_static, problem.mu_static);
   EXPECT_EQ(same.force_limit, problem.force_limit);
   EXPECT_EQ(same.compliance, problem.compliance);
+  EXPECT_EQ(same.tangential_compliance, problem.tangential_compliance);
   EXPECT_EQ(again.title, "two contacts");
   ASSERT_TRUE(again.solution.has_value());
   EXPECT_EQ(*again.solution, solution.r);

@@ -32,12 +32,13 @@ Mat3 gram(RandomStream& random, int rank) {
 }
 
 /// The law's residual of the solution over (1 + mu) |b| + d |r|, since u_hat contains mu |u_T|.
-double miss(Law law, const Mat3& w, const Vec3& b, double mu, double limit, double compliance) {
+double miss(Law law, const Mat3& w, const Vec3& b, double mu, double limit, double compliance, double tangential) {
   ContactStart start;
-  const Vec3 r = solve_contact(law, k_facets, ContactBlock(w, mu, limit, compliance), b, start);
+  const Vec3 r = solve_contact(law, k_facets, ContactBlock(w, mu, limit, compliance, tangential), b, start);
   const double d = w.trace() / 3;
-  const Vec3 u = compliant_velocity(compliance, r, w * r + b);
-  return law_map(law, k_facets, {mu, limit, d}, r, u) / ((1 + mu) * b.norm() + (d + compliance) * r.norm());
+  const Vec3 u = compliant_velocity(compliance, tangential, r, w * r + b);
+  return law_map(law, k_facets, {mu, limit, d}, r, u) /
+         ((1 + mu) * b.norm() + (d + compliance + tangential) * r.norm());
 }
 
 class EveryLaw : public testing::TestWithParam<Law> {
@@ -52,12 +53,13 @@ class EveryLaw : public testing::TestWithParam<Law> {
       const double mu = k % 9 == 0 ? 0 : std::exp(random.normal() - 1);
       const double limit = k % 3 == 0 ? std::exp(random.normal()) : k_none;
       const double compliance = k % 5 == 0 ? random.uniform(0, 0.1) : 0;
+      const double tangential = k % 10 == 0 ? 2 * compliance : 0;
       Vec3 b = test::random_vector(random);
       if (k % 7 == 0) b[0] = 0;
       if (k % 11 == 0) b *= 1e-6;
       if (k % 13 == 0) b.tail<2>().setZero();
       if (b.norm() == 0) continue;
-      largest = std::max(largest, miss(GetParam(), w, b, mu, limit, compliance));
+      largest = std::max(largest, miss(GetParam(), w, b, mu, limit, compliance, tangential));
     }
     return largest;
   }
@@ -103,7 +105,7 @@ TEST_P(EveryLaw, BlocksThatCannotMoveAlongOneTangent) {
 TEST_P(EveryLaw, TheStartDoesNotChangeTheAnswer) {
   RandomStream random(5, "start");
   for (int k = 0; k < 300; ++k) {
-    const ContactBlock block(rigid_block(random), 0.3, k_none, 0);
+    const ContactBlock block(rigid_block(random), 0.3, k_none, 0, 0);
     const Vec3 b = test::random_vector(random);
     ContactStart none, far{1e3, 1e3}, near{1e-6, 1e-6};
     const Vec3 r = solve_contact(GetParam(), k_facets, block, b, none);
@@ -114,7 +116,7 @@ TEST_P(EveryLaw, TheStartDoesNotChangeTheAnswer) {
 
 TEST_P(EveryLaw, OpensWhereNothingCloses) {
   ContactStart start;
-  const ContactBlock block(Mat3::Identity(), 0.5, k_none, 0);
+  const ContactBlock block(Mat3::Identity(), 0.5, k_none, 0, 0);
   EXPECT_EQ(solve_contact(GetParam(), k_facets, block, Vec3(2, 1, 0), start).norm(), 0);
   EXPECT_EQ(solve_contact(GetParam(), k_facets, block, Vec3::Zero(), start).norm(), 0);
 }
@@ -122,20 +124,21 @@ TEST_P(EveryLaw, OpensWhereNothingCloses) {
 TEST_P(EveryLaw, SidesThatCannotMove) {
   ContactStart start;
   EXPECT_EQ(
-      solve_contact(GetParam(), k_facets, ContactBlock(Mat3::Zero(), 0.5, k_none, 0), Vec3(-1, 1, 0), start).norm(), 0);
+      solve_contact(GetParam(), k_facets, ContactBlock(Mat3::Zero(), 0.5, k_none, 0, 0), Vec3(-1, 1, 0), start).norm(),
+      0);
   const Vec3 crushed =
-      solve_contact(GetParam(), k_facets, ContactBlock(Mat3::Zero(), 0.5, 3, 0), Vec3(-1, 1, 0), start);
+      solve_contact(GetParam(), k_facets, ContactBlock(Mat3::Zero(), 0.5, 3, 0, 0), Vec3(-1, 1, 0), start);
   EXPECT_EQ(crushed[0], 3);
 }
 
 TEST_P(EveryLaw, ComplianceBetweenSidesThatCannotMove) {
   ContactStart start;
   const Vec3 b(-1, 0.2, 0);
-  const Vec3 r = solve_contact(GetParam(), k_facets, ContactBlock(Mat3::Zero(), 0.5, k_none, 0.1), b, start);
+  const Vec3 r = solve_contact(GetParam(), k_facets, ContactBlock(Mat3::Zero(), 0.5, k_none, 0.1, 0), b, start);
   if (GetParam() != Law::ccp) {
     EXPECT_NEAR(r[0], 10, 1e-13);
   }
-  EXPECT_LT(law_map(GetParam(), k_facets, {0.5, k_none, 0.1}, r, compliant_velocity(0.1, r, b)), 1e-14);
+  EXPECT_LT(law_map(GetParam(), k_facets, {0.5, k_none, 0.1}, r, compliant_velocity(0.1, 0, r, b)), 1e-14);
 }
 
 INSTANTIATE_TEST_SUITE_P(Laws, EveryLaw,
@@ -145,7 +148,7 @@ INSTANTIATE_TEST_SUITE_P(Laws, EveryLaw,
 Vec3 velocity_after(Law law, double m, double v, double w, double mu) {
   ContactStart start;
   const Vec3 b(-v, w, 0);
-  return solve_contact(law, k_facets, ContactBlock(Mat3::Identity() / m, mu, k_none, 0), b, start) / m + b;
+  return solve_contact(law, k_facets, ContactBlock(Mat3::Identity() / m, mu, k_none, 0, 0), b, start) / m + b;
 }
 
 TEST(LocalSolve, ParticleSlidesOrSticksInCoulombsLaw) {
@@ -163,7 +166,7 @@ TEST(LocalSolve, ParticleLiftsInTheConvexLaw) {
 
 TEST(LocalSolve, CrushingAtTheLimit) {
   ContactStart start;
-  const ContactBlock block(Mat3::Identity() / 2, 0.5, 1, 0);
+  const ContactBlock block(Mat3::Identity() / 2, 0.5, 1, 0, 0);
   const Vec3 slipping = solve_contact(Law::coulomb, k_facets, block, Vec3(-3, 4, 0), start);
   EXPECT_LT((slipping - Vec3(1, -0.5, 0)).norm(), 1e-15);
   const Vec3 sticking = solve_contact(Law::coulomb, k_facets, block, Vec3(-3, 0.1, 0), start);
@@ -176,7 +179,7 @@ TEST(LocalSolve, PolygonFrictionLiesBetweenItsInscribedCircleAndItsCorners) {
       ContactStart start;
       const double phi = 0.13 * k, mu = 0.6;
       const Vec3 b(-1, 9 * std::cos(phi), 9 * std::sin(phi));
-      const ContactBlock block(Mat3::Identity(), mu, k_none, 0);
+      const ContactBlock block(Mat3::Identity(), mu, k_none, 0, 0);
       const Vec3 r = solve_contact(Law::pyramid_k, facets, block, b, start);
       const double ratio = r.tail<2>().norm() / r[0];
       EXPECT_GE(ratio, mu * std::cos(k_pi / facets) - 1e-14);
@@ -187,7 +190,7 @@ TEST(LocalSolve, PolygonFrictionLiesBetweenItsInscribedCircleAndItsCorners) {
 
 TEST(LocalSolve, BoxFrictionReachesItsCorner) {
   ContactStart start;
-  const ContactBlock block(Mat3::Identity(), 0.5, k_none, 0);
+  const ContactBlock block(Mat3::Identity(), 0.5, k_none, 0, 0);
   EXPECT_EQ(solve_contact(Law::pyramid, k_facets, block, Vec3(-2, 5, -3), start), Vec3(2, -1, 1));
 }
 

@@ -128,6 +128,18 @@ TEST(Measure, ComplianceReplacesTheNormalVelocity) {
   EXPECT_NEAR(measure(problem, Vec3(5, 0, 0), Vec3(-0.6, 0, 0)).penetration_rate_m_s, 0.1, 1e-15);
 }
 
+TEST(Measure, TangentialComplianceReplacesTheSlip) {
+  ContactProblem problem = particle(Law::coulomb, 0.5);
+  problem.tangential_compliance[0] = 0.2;
+  // u_T + c r_T = 0: the contact sticks, although its sides move past each other
+  const Residuals stick = measure(problem, Vec3(5, -2, 1), Vec3(0, 0.4, -0.2));
+  EXPECT_LT(stick.natural_map_m_s, 1e-15);
+  EXPECT_LT(stick.law_map_m_s, 1e-15);
+  EXPECT_LT(std::abs(stick.bipotential_J), 1e-14);
+  EXPECT_EQ(stick.slip_angle_deg, 0);
+  EXPECT_NEAR(measure(problem, Vec3(5, -2, 1), Vec3(0, 0.5, -0.2)).natural_map_m_s, std::hypot(0.1, 0.05), 1e-15);
+}
+
 TEST(Measure, BothSidesPrescribed) {
   ContactProblem problem;
   problem.law = Law::coulomb;

@@ -154,6 +154,7 @@ TEST(Problem, ValidationNamesTheField) {
   expect_refused("force_limit", [](auto& p) { p.force_limit[0] = -1; });
   expect_refused("force_limit", [](auto& p) { p.force_limit[0] = nan; });
   expect_refused("compliance", [](auto& p) { p.compliance[0] = -1; });
+  expect_refused("tangential_compliance", [](auto& p) { p.tangential_compliance[0] = -1; });
   expect_refused("key", [](auto& p) { p.key[1] = p.key[0]; });
   expect_refused("key", [](auto& p) { p.key.pop_back(); });
 }

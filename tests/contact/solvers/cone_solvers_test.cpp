@@ -128,6 +128,7 @@ TEST_P(ConeSolver, RandomHeapsWithLimitsAndComplianceConverge) {
     for (std::size_t c = 0; c < 12; ++c) {
       if (c % 2 == 0) problem.force_limit[c] = 0.5;
       if (c % 3 == 0) problem.compliance[c] = 0.1;
+      if (c % 4 == 0) problem.tangential_compliance[c] = 0.15;
       if (c % 5 == 0) problem.force_limit[c] = 0;
     }
     const contact::ContactSolution s = solve(problem, 1e-9);

@@ -143,11 +143,52 @@ TEST_P(Invariance, LimitsAndComplianceAreKept) {
     contact::ContactProblem problem = test::with_order(heap_of(seed), {0, 1, 2, 3});
     problem.force_limit = {0.2, 0, 1, std::numeric_limits<double>::infinity()};
     problem.compliance = {0, 0.1, 0.3, 0.2};
+    problem.tangential_compliance = {0.2, 0, 0.4, 0.2};
     problem.mu[2] = problem.mu_static[2] = 0;
     const contact::ContactSolution solution = solve(problem);
     for (int c = 0; c < 3; ++c) EXPECT_LE(solution.r[3 * c], problem.force_limit[c] + 1e-9);
     expect_same_motion(problem, test::with_mass_scale(problem, 1e4));
   }
+}
+
+/// A compliance is one more entry on the diagonal of W.
+TEST_P(Invariance, ComplianceIsPartOfW) {
+  for (int seed = 0; seed < k_seeds; ++seed) {
+    contact::ContactProblem problem = heap_of(seed);
+    for (int c = 0; c < problem.num_contacts(); ++c) {
+      problem.compliance[c] = 0.05 * (c + 1);
+      problem.tangential_compliance[c] = 0.12 * (c + 1);
+    }
+    contact::LocalProblem folded = contact::reduce(problem);
+    for (int c = 0; c < problem.num_contacts(); ++c)
+      for (int k = folded.row_start[c]; k < folded.row_start[c + 1]; ++k)
+        if (folded.column[k] == c)
+          folded.block[k].diagonal() +=
+              Vec3(problem.compliance[c], problem.tangential_compliance[c], problem.tangential_compliance[c]);
+    folded.compliance.assign(folded.compliance.size(), 0);
+    folded.tangential_compliance = folded.compliance;
+    const contact::ContactSolution solution = solve(problem);
+    EXPECT_EQ(solution.status, contact::SolveStatus::converged);
+    EXPECT_LE(contact::measure(folded, solution.r).law_map_m_s, 10 * k_tolerance);
+    EXPECT_LE(contact::measure(contact::reduce(problem), solution.r).law_map_m_s, 10 * k_tolerance);
+  }
+}
+
+/// A spring of k = 1/(c h^2) along the tangent: the particle sticks, and its velocity winds the spring.
+TEST_P(Invariance, TangentialComplianceYields) {
+  if (GetParam().law == Law::frictionless) return;
+  const double m = 2, v = 3, w = 0.6, c = 0.25;
+  contact::ContactProblem problem;
+  problem.law = GetParam().law;
+  problem.facets = 8;
+  problem.add_block(m * Mat3::Identity());
+  problem.f << -m * v, m * w, 0;
+  problem.add_contact(-1, MatX(3, 0), 0, Mat3::Identity(), 1);
+  problem.mu.back() = problem.mu_static.back() = 0.5;
+  problem.tangential_compliance.back() = c;
+  const double held = w / (1 / m + c);
+  EXPECT_LT((solve(problem).r - Vec3(m * v, -held, 0)).norm(), 100 * k_tolerance);
+  EXPECT_LT((solve(problem).v - Vec3(0, c * held, 0)).norm(), 10 * k_tolerance);
 }
 
 /// A particle of mass m has velocity (-v, w, 0) before contact: the closed forms of the laws differ.
@@ -202,12 +243,13 @@ TEST_P(Invariance, InputThatIsNotFiniteIsANumericalError) {
     EXPECT_EQ(solution.r, VecX::Zero(solution.r.size()));
   };
   for (const double bad : {nan, infinite}) {
-    std::vector<contact::ContactProblem> spoilt(5, heap_of(0));
+    std::vector<contact::ContactProblem> spoilt(6, heap_of(0));
     spoilt[0].w[4] = bad;
     spoilt[1].f[2] = bad;
     spoilt[2].jacobian_data[7] = bad;
     spoilt[3].mass_data[35] = bad;
     spoilt[4].compliance[1] = bad;
+    spoilt[5].tangential_compliance[1] = bad;
     for (std::size_t k = 0; k < spoilt.size(); ++k) {
       SCOPED_TRACE(k);
       expect_refused(spoilt[k], {});

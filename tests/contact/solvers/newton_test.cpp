@@ -56,6 +56,7 @@ TEST(Newton, ForceLimitsAndComplianceOfHeaps) {
       for (std::size_t c = 0; c < problem.pairs.size(); ++c) {
         if (c % 3 == 0) problem.force_limit[c] = 0.2;
         if (c % 3 == 1) problem.compliance[c] = 0.3;
+        if (c % 3 == 1) problem.tangential_compliance[c] = 0.4;
       }
       EXPECT_EQ(solve(problem).status, contact::SolveStatus::converged) << static_cast<int>(law) << " " << seed;
     }

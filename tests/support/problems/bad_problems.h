@@ -20,6 +20,7 @@ inline contact::LocalProblem coupled_pair(double coupling, double diagonal = 1) 
     problem.mu_static.push_back(0.5);
     problem.force_limit.push_back(std::numeric_limits<double>::infinity());
     problem.compliance.push_back(0);
+    problem.tangential_compliance.push_back(0);
     problem.key.push_back(static_cast<std::uint64_t>(a + 1));
   }
   problem.q = VecX::Zero(6);

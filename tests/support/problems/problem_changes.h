@@ -84,6 +84,7 @@ inline contact::ContactProblem with_mass_scale(contact::ContactProblem problem, 
   problem.f *= factor;
   for (double& limit : problem.force_limit) limit *= factor;
   for (double& compliance : problem.compliance) compliance /= factor;
+  for (double& compliance : problem.tangential_compliance) compliance /= factor;
   return problem;
 }
 

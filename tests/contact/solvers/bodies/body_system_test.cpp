@@ -18,6 +18,7 @@ TEST(BodySystem, TakesTheStepOfTheDelassusSystem) {
       for (std::size_t c = 0; c < problem.pairs.size(); ++c) {
         if (c % 3 == 0) problem.force_limit[c] = 0.5;
         if (c % 4 == 1) problem.compliance[c] = 0.2;
+        if (c % 4 < 2) problem.tangential_compliance[c] = 0.1;
       }
       const contact::PreparedProblem prepared(problem);
       const BodyIsland bodies(prepared);

@@ -123,6 +123,7 @@ TEST(BodyLadder, LeavesWhatItDoesNotKnowToOthers) {
   expect_refused([&](auto& problem) { problem.w[2] = nan; });
   expect_refused([&](auto& problem) { problem.force_limit[1] = nan; });
   expect_refused([](auto& problem) { problem.mass_data[0] = -1; });
+  expect_refused([](auto& problem) { problem.tangential_compliance[0] = 0.1; });
   expect_refused([](auto& problem) { problem.add_contact(-1, MatX(3, 0), -1, MatX(3, 0), 9999); });
   expect_refused([](auto& problem) { problem = {}; });
 }

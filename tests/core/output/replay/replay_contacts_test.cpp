@@ -36,6 +36,7 @@ void touch(contact::SolvedProblem& solved, const bodies::Bodies& bodies, int a, 
   solved.problem.mu.push_back(0.5);
   solved.problem.force_limit.push_back(std::numeric_limits<double>::infinity());
   solved.problem.compliance.push_back(0);
+  solved.problem.tangential_compliance.push_back(0);
   const auto rows = 3 * static_cast<Eigen::Index>(solved.points.size());
   solved.solution.r.conservativeResize(rows);
   solved.solution.u = VecX::Zero(rows);

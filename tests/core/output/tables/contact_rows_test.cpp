@@ -34,6 +34,7 @@ contact::SolvedProblem touching(const std::vector<std::pair<int, int>>& pairs) {
     solved.problem.mu.push_back(0.5);
     solved.problem.force_limit.push_back(std::numeric_limits<double>::infinity());
     solved.problem.compliance.push_back(0);
+    solved.problem.tangential_compliance.push_back(0);
   }
   return solved;
 }
