@@ -30,7 +30,10 @@ class Assembly {
     out_.problem.facets = settings.facets;
   }
 
-  AssembledContacts build(const std::vector<detect::ContactPoint>& points, const FrictionPairs& friction) {
+  AssembledContacts build(const std::vector<detect::ContactPoint>& points, const FrictionPairs& friction,
+                          std::vector<Spring> springs) {
+    NILAS_DEMAND(springs.empty() || springs.size() == points.size());
+    out_.springs = std::move(springs);
     add_blocks(points);
     reserve_contacts(points.size());
     for (const auto& point : points) add_contact(point, friction);
@@ -233,7 +236,11 @@ void Assembly::add_contact(const detect::ContactPoint& point, const FrictionPair
   Vec3 w = joined ? add_joined_sides(point, C) : add_side(point.a, C, point.p, -1);
   if (!joined) w += add_side(point.b, C, point.p, 1);
   double asked = 0;
-  if (const auto bounced = bounce(point, pair.restitution))
+  SpringRow row;
+  const std::size_t c = problem.pairs.size();
+  if (out_.is_elastic(c))
+    w += (row = spring_row(out_.springs[c], point.gap, C, settings_.h)).bias;
+  else if (const auto bounced = bounce(point, pair.restitution))
     w[0] += *bounced;
   else if (point.gap > 0)
     w[0] += point.gap / settings_.h;
@@ -244,8 +251,8 @@ void Assembly::add_contact(const detect::ContactPoint& point, const FrictionPair
   problem.pairs.push_back({joined ? -1 : out_.block_of_body[a], out_.block_of_body[b]});
   problem.jacobian_offset.push_back(problem.jacobian_data.size());
   problem.force_limit.push_back(point.force_limit * settings_.h);
-  problem.compliance.push_back(point.compliance);
-  problem.tangential_compliance.push_back(0);
+  problem.compliance.push_back(point.compliance + row.compliance);
+  problem.tangential_compliance.push_back(row.tangential_compliance);
   problem.mu.push_back(pair.mu_kinetic);
   problem.mu_static.push_back(pair.mu_static);
   problem.key.push_back(point.key);
@@ -284,8 +291,9 @@ void Assembly::add_moment(int c, const detect::ContactPoint& point, const Fricti
 
 AssembledContacts assemble(const bodies::Bodies& bodies, const bodies::Wrenches& free,
                            const std::vector<detect::ContactPoint>& points, const FrictionPairs& friction,
-                           const AssemblySettings& settings, const std::vector<ArticulatedBlock>& articulated) {
-  return Assembly(bodies, free, settings, articulated).build(points, friction);
+                           const AssemblySettings& settings, const std::vector<ArticulatedBlock>& articulated,
+                           std::vector<Spring> springs) {
+  return Assembly(bodies, free, settings, articulated).build(points, friction, std::move(springs));
 }
 
 }  // namespace nilas::contact

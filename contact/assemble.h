@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "contact/detect/broad/contact_point.h"
+#include "contact/elastic_contacts.h"
 #include "contact/law/friction.h"
 #include "contact/problem/problem.h"
 #include "core/bodies/bodies.h"
@@ -49,10 +50,13 @@ struct AssembledContacts {
   std::vector<Mat3> C;  ///< contact frames: columns n, t1, t2 in G; the impulse on body B is C r. For a moment: the
                         ///< same columns times its lengths; the couple on body B is C r
   std::vector<double> speed_asked;  ///< u_N that the stabilisation asks for at each point, 0 for none [m/s]
+  std::vector<Spring> springs;      ///< of the points; empty where no contact is elastic
   std::vector<int> block_of_body;   ///< -1 for a body that no contact touches or that has no coordinate of its own.
                                     ///< Bodies of one system share a block, and all have it once one of them is touched
   int first_articulated_block =
       0;  ///< the blocks of free bodies come first, in the order of the bodies; articulated blocks follow
+
+  bool is_elastic(std::size_t point) const { return !springs.empty() && springs[point].exists(); }
 };
 
 /// Returns one contact per point, in the order given. Only bodies that a point touches get a block. A free body's block
@@ -68,11 +72,13 @@ struct AssembledContacts {
 ///
 /// A point's force limit times h limits its impulse, and its compliance is that of its row. Points that crush do not
 /// bounce. Moments against rolling and spinning follow all points, in their order, for pairs that have them and laws
-/// with friction. A point between two bodies of one articulated system has that block on its side B alone, with the
-/// difference of both Jacobians. `friction` resolves the materials of `bodies`.
-/// Throws ContractError for an articulated body without its block and for a point that names no body.
+/// with friction. `springs`: one per point, or none where no contact is elastic; a point with a spring has the rows of
+/// elastic_contacts.h, and neither bounces nor is stabilised. A point between two bodies of one articulated system has
+/// that block on its side B alone, with the difference of both Jacobians. `friction` resolves the materials of
+/// `bodies`. Throws ContractError for an articulated body without its block and for a point that names no body.
 AssembledContacts assemble(const bodies::Bodies& bodies, const bodies::Wrenches& free,
                            const std::vector<detect::ContactPoint>& points, const FrictionPairs& friction,
-                           const AssemblySettings& settings, const std::vector<ArticulatedBlock>& articulated);
+                           const AssemblySettings& settings, const std::vector<ArticulatedBlock>& articulated,
+                           std::vector<Spring> springs = {});
 
 }  // namespace nilas::contact

@@ -15,7 +15,8 @@ namespace nilas::contact {
 
 namespace {
 
-/// The step's contact graph without immovable bodies and without points that crush, where bodies may overlap.
+/// The step's contact graph without immovable bodies and without points that crush or are elastic, where bodies may
+/// overlap.
 ContactProblem movable_graph(const AssembledContacts& contacts, const std::vector<detect::ContactPoint>& points) {
   ContactProblem graph;
   graph.block_offset = contacts.problem.block_offset;
@@ -26,7 +27,7 @@ ContactProblem movable_graph(const AssembledContacts& contacts, const std::vecto
     if (pair.b >= contacts.first_articulated_block) pair.b = -1;
   }
   for (std::size_t c = 0; c < points.size(); ++c)
-    if (points[c].crushes()) graph.pairs[c] = {};
+    if (points[c].crushes() || contacts.is_elastic(c)) graph.pairs[c] = {};
   return graph;
 }
 

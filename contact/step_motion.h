@@ -27,6 +27,7 @@ struct StepMotion {
   std::vector<Vec3> impulses;         ///< impulses at the points, on body b, in G [N s]
   std::vector<Vec3> normal_impulses;  ///< their components along the normal
   std::vector<double> speed_asked;    ///< u_N that the stabilisation asked of the velocity step at each point [m/s]
+  std::vector<SpringStep> springs;    ///< of the points; empty where no contact is elastic
   std::vector<Vec3> couples;  ///< couples at the points, on body b, in G [N m s]; empty without rolling friction
 };
 

@@ -59,6 +59,7 @@ FrictionPairs FrictionTable::resolve(const std::vector<std::string>& materials) 
       resolved.named_.push_back(names(a, b) ? 1 : 0);
       const FrictionPair& pair = resolved.pairs_.back();
       resolved.any_moments_ = resolved.any_moments_ || pair.rolling > 0 || pair.spinning > 0;
+      resolved.any_elastic_ = resolved.any_elastic_ || pair.elastic.has_value();
     }
   return resolved;
 }

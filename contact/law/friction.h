@@ -1,16 +1,20 @@
 #pragma once
 /// Friction and restitution by pair of materials.
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "contact/law/elasticity.h"
 
 namespace nilas::contact {
 
 struct FrictionPair {
   double mu_static = 0;
   double mu_kinetic = 0;
-  double restitution = 0;  ///< Newton's coefficient, 0..1
-  double rolling = 0;      ///< the moment against rolling is at most this times the normal force [m]
-  double spinning = 0;     ///< the same about the normal [m]
+  double restitution = 0;                  ///< Newton's coefficient, 0..1
+  double rolling = 0;                      ///< the moment against rolling is at most this times the normal force [m]
+  double spinning = 0;                     ///< the same about the normal [m]
+  std::optional<Elasticity> elastic = {};  ///< empty: the contact is rigid
 };
 
 /// Friction of bodies by the numbers of their materials (Bodies::material). Resolved once, so that a step compares no
@@ -24,6 +28,8 @@ class FrictionPairs {
   bool names(int material_a, int material_b) const { return named_[place(material_a, material_b)] != 0; }
   /// True where some pair has rolling or spinning friction.
   bool any_moments() const { return any_moments_; }
+  /// True where some pair is elastic.
+  bool any_elastic() const { return any_elastic_; }
 
  private:
   friend class FrictionTable;
@@ -32,7 +38,7 @@ class FrictionPairs {
   int materials_ = 0;
   std::vector<FrictionPair> pairs_;  ///< materials x materials
   std::vector<char> named_;
-  bool any_moments_ = false;
+  bool any_moments_ = false, any_elastic_ = false;
 };
 
 /// The pairs that a scene names. The order of the two materials never matters.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/law/law_map.h"
 #include "core/sim/world/load_axes.h"
 
 namespace nilas::output {
@@ -22,10 +23,12 @@ static double friction_left(const contact::ContactProblem& problem, std::size_t 
 
 ContactStatus contact_status(const contact::SolvedProblem& solved, std::size_t c) {
   const auto row = 3 * static_cast<Eigen::Index>(c);
-  const Vec3 r = solved.solution.r.segment<3>(row), u = solved.solution.u.segment<3>(row);
+  const Vec3 r = solved.solution.r.segment<3>(row);
+  const Vec3 u = contact::compliant_velocity(solved.problem, static_cast<int>(c), r, solved.solution.u.segment<3>(row));
   const double d = inverse_mass(solved.touching[c]);
   if (u.x() >= d * r.x()) return ContactStatus::open;
-  if (r.x() >= solved.problem.force_limit[c] || (solved.problem.compliance[c] > 0 && r.x() > 0))
+  if (r.x() >= solved.problem.force_limit[c] ||
+      (solved.points[c].crushes() && solved.problem.compliance[c] > 0 && r.x() > 0))
     return ContactStatus::crush;
   return std::hypot(u.y(), u.z()) > d * friction_left(solved.problem, c, r) ? ContactStatus::slip
                                                                             : ContactStatus::stick;

@@ -13,7 +13,9 @@ std::vector<std::string> column_names(const sim::RunInfo& info) {
   for (const char* name : {"penetration_max_m", "penetration_mean_m"}) names.emplace_back(name);
   names.insert(names.end(), info.module_columns.begin(), info.module_columns.end());
   for (const char* name : {"kinetic_J", "potential_J"}) names.emplace_back(name);
+  if (info.elastic_contacts) names.emplace_back("elastic_J");
   for (const auto& work : info.work_names) names.push_back("work_" + work + "_J");
+  if (info.elastic_contacts) names.emplace_back("damping_J");
   for (const char* name :
        {"friction_J", "impact_J", "stabilisation_J", "fracture_J", "crushing_J", "integrator_J", "imbalance_J",
         "momentum_imbalance_Ns", "angular_momentum_imbalance_Nms", "momentum_scale_Ns", "angular_momentum_scale_Nms"})
@@ -27,7 +29,10 @@ std::vector<std::string> column_names(const sim::RunInfo& info) {
 }  // namespace
 
 StepsCsv::StepsCsv(const std::filesystem::path& path, const sim::RunInfo& info, std::optional<std::int64_t> keep)
-    : file_(path, "", keep), num_works_(info.work_names.size()), num_module_values_(info.module_columns.size()) {
+    : file_(path, "", keep),
+      num_works_(info.work_names.size()),
+      elastic_(info.elastic_contacts),
+      num_module_values_(info.module_columns.size()) {
   if (!keep) file_.append(csv_header(column_names(info)));
 }
 
@@ -50,7 +55,9 @@ void StepsCsv::row(const sim::StepRecord& record) {
 void StepsCsv::add_ledger(const sim::Ledger& ledger) {
   NILAS_DEMAND(ledger.works.size() == num_works_);
   row_.shortest(ledger.kinetic).shortest(ledger.potential);
+  if (elastic_) row_.shortest(ledger.elastic);
   for (const double work : ledger.works) row_.shortest(work);
+  if (elastic_) row_.shortest(ledger.damping);
   for (const double loss : {ledger.friction, ledger.impact, ledger.stabilisation, ledger.fracture, ledger.crushing,
                             ledger.integrator, ledger.imbalance})
     row_.shortest(loss);

@@ -23,6 +23,7 @@ class StepsCsv {
   OutputFile file_;
   CsvRow row_;
   std::size_t num_works_;
+  bool elastic_;
   std::size_t num_module_values_;
 };
 

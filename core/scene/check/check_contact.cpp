@@ -97,6 +97,8 @@ static void check_reference(const SceneElement& root, const SceneElement& contac
   for (const char* length : {"rolling", "spinning"})
     if (const SceneElement* friction = friction_with(contact, length))
       refuse(*friction, length, std::string(length) + " friction", "static, kinetic and restitution in <friction>");
+  for (const auto& friction : contact.children)
+    if (text_of(friction, "elastic") == "true") refuse(friction, "elastic", "elastic contacts", "false");
 }
 
 void check_contact(const SceneElement& root, const SceneElement& contact, std::vector<Fault>& faults) {

@@ -31,11 +31,27 @@ static void check_coefficients(const SceneElement& friction, std::vector<Fault>&
                                   "; allowed: not below the kinetic coefficient"));
 }
 
+/// An elastic pair needs a stiffness unless ice gives it, and bounces by its springs alone.
+static void check_elastic(const SceneElement& friction, std::vector<Fault>& faults) {
+  if (text_of(friction, "elastic") != "true") return;
+  if (number_of(friction, "restitution").value_or(0) > 0)
+    faults.push_back(
+        fault_of(friction, "restitution", "an elastic pair bounces by its stiffness and damping_ratio; allowed: 0"));
+  const auto pair = words_of(friction, "between");
+  const auto may_be_ice = [](const std::string& material) { return material == "ice" || material == "*"; };
+  if (!pair.empty() && !number_of(friction, "stiffness") && std::none_of(pair.begin(), pair.end(), may_be_ice))
+    faults.push_back(
+        fault_of(friction, "stiffness",
+                 "the attribute is missing: elastic contacts of materials other than ice need it; allowed: "
+                 "a number above 0 [N/m]"));
+}
+
 void check_friction(const SceneElement& root, const SceneElement& contact, std::vector<Fault>& faults) {
   const auto known = known_materials(root);
   std::map<std::vector<std::string>, int> line_of_pair;
   for (const auto& friction : contact.children) {
     check_coefficients(friction, faults);
+    check_elastic(friction, faults);
     auto pair = words_of(friction, "between");
     if (pair.empty()) continue;
     for (const auto& material : pair) {

@@ -13,6 +13,11 @@ namespace nilas::scene {
 struct FrictionScene {
   std::string material_a = "*", material_b = "*";
   double static_ = 0, kinetic = 0, rolling = 0, spinning = 0, restitution = 0;
+  bool elastic = false;
+  std::optional<double> stiffness;         ///< normal stiffness of a patch; empty: that of the ice's edges [N/m]
+  double edge_factor = 0.5;                ///< stiffness of an ice edge over Young's modulus times thickness
+  std::optional<double> tangential_ratio;  ///< tangential over normal stiffness; empty: by Poisson's ratio
+  double damping_ratio = 0.5;              ///< 1 is critical
 
   bool operator==(const FrictionScene&) const = default;
 };

@@ -14,6 +14,11 @@ static FrictionScene build_friction(const SceneElement& element) {
   assign(friction.restitution, element, "restitution");
   assign(friction.rolling, element, "rolling");
   assign(friction.spinning, element, "spinning");
+  assign(friction.elastic, element, "elastic");
+  assign(friction.stiffness, element, "stiffness");
+  assign(friction.edge_factor, element, "edge_factor");
+  assign(friction.tangential_ratio, element, "tangential_ratio");
+  assign(friction.damping_ratio, element, "damping_ratio");
   return friction;
 }
 

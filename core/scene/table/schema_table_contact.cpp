@@ -105,9 +105,44 @@ static std::vector<AttributeSpec> stabilisation() {
        .doc = "It is the largest speed of the correction."}};
 }
 
+static std::vector<AttributeSpec> elasticity() {
+  const FrictionScene values;
+  const Condition elastic{"elastic", {written(true)}};
+  return {
+      {.name = "elastic",
+       .type = ValueType::boolean,
+       .default_value = written(values.elastic),
+       .doc = "Contacts of the pair are springs with dashpots instead of rigid. They may overlap, and no stabilisation "
+              "acts on them. Where ice crushes, its own law holds."},
+      {.name = "stiffness",
+       .unit = "N/m",
+       .range = above(0),
+       .default_note = "that of the edges of ice that meet, in series; a body that is no ice is rigid",
+       .applies = elastic,
+       .doc = "It is the normal stiffness of one patch of contact, whose points share it."},
+      {.name = "edge_factor",
+       .range = above(0),
+       .default_value = written(values.edge_factor),
+       .applies = elastic,
+       .doc =
+           "The edge of a floe has this factor times Young's modulus times thickness as stiffness. 0.5 and 1 belong "
+           "to a contact whose half width is 0.1 and 0.5 of the radius of the floe. It has no effect with stiffness."},
+      {.name = "tangential_ratio",
+       .range = above(0),
+       .default_note = "2 (1 - n) / (2 - n) for Poisson's ratio n of the ice, or 0.3",
+       .applies = elastic,
+       .doc = "It is the tangential stiffness over the normal one."},
+      {.name = "damping_ratio",
+       .range = at_least(0),
+       .default_value = written(values.damping_ratio),
+       .applies = elastic,
+       .doc = "It is the damping of both masses on the normal spring; 1 is critical. The implicit step adds damping "
+              "of its own."}};
+}
+
 static ElementSpec friction() {
   const FrictionScene values;
-  return {
+  ElementSpec element{
       .name = "friction",
       .parent = "contact",
       .count = Count::many,
@@ -143,7 +178,9 @@ static ElementSpec friction() {
           {.name = "restitution",
            .range = within(0, 1),
            .default_value = written(values.restitution),
-           .doc = "It is Newton's coefficient of restitution."}}};
+           .doc = "It is Newton's coefficient of restitution. An elastic pair has none."}}};
+  for (AttributeSpec& attribute : elasticity()) element.attributes.push_back(std::move(attribute));
+  return element;
 }
 
 std::vector<ElementSpec> contact_elements() {

@@ -20,8 +20,8 @@ static ElementSpec ice() {
            .doc = "It selects a set of published values for density, modulus, thickness, strengths, floe sizes and "
                   "smallest piece. They hold where the scene gives none (docs/reference/scales.md)."},
           of_preset("density", "kg/m^3", above(0), "It is the density."),
-          of_preset("youngs_modulus", "Pa", above(0), "It is Young's modulus. It has no effect without <fracture>."),
-          of_preset("poisson", "", within(0, 0.5), "It is Poisson's ratio. It has no effect without <fracture>."),
+          of_preset("youngs_modulus", "Pa", above(0), "It is Young's modulus, of bending and of elastic contacts."),
+          of_preset("poisson", "", within(0, 0.5), "It is Poisson's ratio, of bending and of elastic contacts."),
           of_preset("thickness", "m", above(0), "It is the thickness of floes that give none.")}};
 }
 

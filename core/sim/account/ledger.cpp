@@ -87,6 +87,12 @@ void EnergyAccount::velocity_step(const bodies::Bodies& bodies, const contact::S
   for (std::size_t i = 0; i < motion.points.size(); ++i) {
     const Vec3 mean = 0.5 * (contact::relative_velocity(motion, motion.before, i) +
                              contact::relative_velocity(motion, motion.after, i));
+    if (!motion.springs.empty() && motion.springs[i].exists) {
+      ledger_.friction += motion.springs[i].friction;
+      ledger_.damping += motion.springs[i].damping;
+      ledger_.integrator -= motion.impulses[i].dot(mean) + motion.springs[i].friction + motion.springs[i].damping;
+      continue;
+    }
     const double normal = motion.normal_impulses[i].dot(mean);
     // The speed that the stabilisation asks for is in the velocity after alone, so half of it is in the mean.
     const double asked = 0.5 * motion.speed_asked[i] * motion.normal_impulses[i].dot(motion.points[i].n);
@@ -98,6 +104,7 @@ void EnergyAccount::velocity_step(const bodies::Bodies& bodies, const contact::S
     ledger_.friction -=
         0.5 * motion.couples[i].dot(motion.before.w[b] + motion.after.w[b] - motion.before.w[a] - motion.after.w[a]);
   }
+  book_springs(motion);
   kinetic_after_velocity_ = 0;
   for (int k = 0; k < bodies.size(); ++k) {
     if (!bodies.moves(k)) continue;
@@ -113,6 +120,14 @@ void EnergyAccount::velocity_step(const bodies::Bodies& bodies, const contact::S
     if (bodies.has_added_mass())
       kinetic_after_velocity_ += water_energy(bodies, b, motion.R[b], motion.after.v[b], motion.after.w[b]);
   }
+}
+
+/// The energy that the springs hold. What their losses do not explain of its change is the time stepping's.
+void EnergyAccount::book_springs(const contact::StepMotion& motion) {
+  double stored = 0;
+  for (const contact::SpringStep& spring : motion.springs) stored += spring.stored;
+  ledger_.integrator -= stored - ledger_.elastic;
+  ledger_.elastic = stored;
 }
 
 void EnergyAccount::position_step(double kinetic, double potential, const contact::Velocities& pseudo,
@@ -158,8 +173,9 @@ void EnergyAccount::settle_energies(double kinetic, double potential) {
   potential_before_ = potential;
   double works = 0;
   for (const double w : ledger_.works) works += w;
-  ledger_.imbalance = ledger_.kinetic + ledger_.potential + ledger_.friction + ledger_.impact + ledger_.stabilisation +
-                      ledger_.fracture + ledger_.crushing + ledger_.integrator - works - start_;
+  ledger_.imbalance = ledger_.kinetic + ledger_.potential + ledger_.elastic + ledger_.damping + ledger_.friction +
+                      ledger_.impact + ledger_.stabilisation + ledger_.fracture + ledger_.crushing +
+                      ledger_.integrator - works - start_;
 }
 
 void EnergyAccount::save(StateWriter out) const {
@@ -173,6 +189,8 @@ void EnergyAccount::save(StateWriter out) const {
   out.add("crushing", ledger_.crushing);
   out.add("integrator", ledger_.integrator);
   out.add("imbalance", ledger_.imbalance);
+  out.add("elastic", ledger_.elastic);
+  out.add("damping", ledger_.damping);
   out.add("start", start_);
   out.add("put_in", put_in_);
   out.add("kinetic_after_velocity", kinetic_after_velocity_);
@@ -191,6 +209,8 @@ void EnergyAccount::restore(const StateReader& in) {
   in.get("crushing", ledger_.crushing);
   in.get("integrator", ledger_.integrator);
   in.get("imbalance", ledger_.imbalance);
+  in.get("elastic", ledger_.elastic);
+  in.get("damping", ledger_.damping);
   in.get("start", start_);
   in.get("put_in", put_in_);
   in.get("kinetic_after_velocity", kinetic_after_velocity_);

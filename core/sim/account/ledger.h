@@ -61,6 +61,7 @@ class EnergyAccount {
   void settle_energies(double kinetic, double potential);
   void book_work(std::size_t k, double work);
   void book_works(const vessel::JointAccount::Motion& works);
+  void book_springs(const contact::StepMotion& motion);
 
   Ledger ledger_;
   std::size_t carriage_ = 0, joints_ = 0;  ///< their indices among the works

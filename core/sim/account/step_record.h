@@ -27,6 +27,7 @@ struct Ledger {
   double kinetic = 0, potential = 0;
   std::vector<double> works;  ///< one per entry of RunInfo::work_names
   double friction = 0, impact = 0, stabilisation = 0, fracture = 0, crushing = 0, integrator = 0, imbalance = 0;
+  double elastic = 0, damping = 0;  ///< energy that elastic contacts store now, and have lost
 };
 
 /// The loads on a part of the vessel over the step, frame G. The joint's fields are those of PartState.
@@ -140,6 +141,7 @@ struct RunInfo {
   CourseKind course = CourseKind::heading;
   Vec2 drift_course = Vec2::UnitX();  ///< direction against the drift around something fixed
   std::optional<double> ramp_end;     ///< time at which the carriage's ramp ends, if it has one [s]
+  bool elastic_contacts = false;      ///< true if some pair of materials is elastic
   bool rigid_contacts = true;         ///< true if some ice meets the hull as a rigid body
   std::vector<StructureInfo> structures;
   std::vector<PartInfo> parts;                      ///< the vessel's parts

@@ -28,7 +28,8 @@ static void list_contact(const scene::Scene& scene, RunInfo& info) {
       "contact", "law " + name_of(contact.law) + ", solver " + name_of(contact.solver) + ", stabilisation " +
                      name_of(contact.stabilisation) + ", detection " + name_of(contact.detection) + ", narrow phase " +
                      name_of(contact.narrow_phase) + ", integrator " + name_of(contact.integrator) +
-                     (has_static_friction(contact) ? ", static friction above kinetic" : ""));
+                     (has_static_friction(contact) ? ", static friction above kinetic" : "") +
+                     (info.elastic_contacts ? ", elastic contacts" : ""));
 }
 
 static void build_modules(const ModuleSources& from, const ModuleList& modules, WorldParts& parts) {
@@ -89,10 +90,22 @@ static void build_water(const scene::Scene& scene, WorldParts& parts) {
   parts.water = water;
 }
 
+/// Poisson's ratio where no ice gives one; it hardly matters.
+constexpr double k_poisson = 0.3;
+
+static std::optional<contact::Elasticity> elasticity(const scene::Scene& scene, const scene::FrictionScene& pair) {
+  if (!pair.elastic) return std::nullopt;
+  const double nu = scene.ice ? scene.ice->poisson : k_poisson;
+  const double of_ice = 2 * (1 - nu) / (2 - nu);  // Mindlin 1949
+  return contact::Elasticity{pair.stiffness.value_or(0), pair.edge_factor, pair.tangential_ratio.value_or(of_ice),
+                             pair.damping_ratio};
+}
+
 static contact::FrictionTable friction_table(const scene::Scene& scene) {
   contact::FrictionTable table;
   for (const auto& f : scene.contact.friction)
-    table.add(f.material_a, f.material_b, {f.static_, f.kinetic, f.restitution, f.rolling, f.spinning});
+    table.add(f.material_a, f.material_b,
+              {f.static_, f.kinetic, f.restitution, f.rolling, f.spinning, elasticity(scene, f)});
   return table;
 }
 
@@ -166,6 +179,7 @@ WorldParts build_world(const scene::Scene& scene, int threads, WarningCounts& wa
   if (parts.ice_properties) parts.ice_properties->resize(parts.bodies.id.size());
   parts.friction = friction.resolve(parts.bodies.materials);
   parts.info.has_hydro = scene.hydro && (scene.hydro->buoyancy || scene.hydro->drag);
+  parts.info.elastic_contacts = parts.friction.any_elastic();
   list_contact(scene, parts.info);
   list_absent(scene, parts.info);
   build_modules({scene, parts, threads, warnings}, modules, parts);

@@ -38,7 +38,7 @@ contact::Velocities velocities_until_impact(World& world, const Loads& loads, co
   if (found.points.empty()) return velocities;
   contact::AssembledContacts contacts =
       contact::assemble(bodies, loads.total, found.points, world.parts.friction, world.model.assembly_over(substep.h),
-                        vessel_as_it_moves(world, velocities));
+                        vessel_as_it_moves(world, velocities), world.springs(found.points));
   const contact::PreparedProblem prepared(contacts.problem);
   const contact::ContactSolution solution =
       world.model.solve(contacts.problem, prepared, VecX(), world.slipping).solution;

@@ -1,6 +1,7 @@
 #include "core/sim/step/move.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "contact/position_correction.h"
@@ -17,6 +18,28 @@ void add_couples(const contact::AssembledContacts& contacts, const contact::Cont
   motion.couples.assign(motion.points.size(), Vec3::Zero());
   for (std::size_t c = motion.points.size(); c < contacts.C.size(); ++c)
     motion.couples[contacts.problem.moments[c].contact] = contacts.C[c] * solution.r.segment<3>(contact::row_of(c));
+}
+
+/// The largest tangential impulse of a contact; of a polygon that of the inscribed circle.
+double friction_bound(const contact::ContactProblem& problem, std::size_t c, const Vec3& r) {
+  const double bound = problem.mu[c] * r[0];
+  return problem.law == Law::pyramid_k ? bound * std::cos(k_pi / problem.facets) : bound;
+}
+
+/// The springs after the solution, whose u holds their biases.
+void add_springs(const SolvedContacts& solved, contact::StepMotion& motion) {
+  const contact::AssembledContacts& contacts = solved.contacts;
+  motion.springs.resize(contacts.springs.size());
+  for (std::size_t i = 0; i < contacts.springs.size(); ++i) {
+    if (!contacts.is_elastic(i)) continue;
+    const contact::Spring& spring = contacts.springs[i];
+    const double gap = motion.points[i].gap;
+    const Vec3 r = solved.solution.r.segment<3>(contact::row_of(i));
+    const Vec3 u = solved.solution.u.segment<3>(contact::row_of(i)) -
+                   contact::spring_row(spring, gap, contacts.C[i], motion.h).bias;
+    motion.springs[i] = contact::spring_step(spring, gap, contacts.C[i], motion.h, r, u,
+                                             friction_bound(contacts.problem, i, r), solved.d[i]);
+  }
 }
 
 contact::StepMotion velocity_step(const World& world, const Loads& loads, const Substep& substep,
@@ -40,6 +63,7 @@ contact::StepMotion velocity_step(const World& world, const Loads& loads, const 
     motion.normal_impulses.emplace_back(contacts.C[i].col(0) * r[0]);
   }
   motion.speed_asked = contacts.speed_asked;
+  add_springs(solved, motion);
   if (contacts.problem.has_moments()) add_couples(contacts, solved.solution, motion);
   motion.after = new_velocities(world, contacts, solved.solution, loads, substep.h);
   return motion;
@@ -81,6 +105,7 @@ void leave_to_their_motion(const contact::StepMotion& motion, std::vector<detect
 contact::StepMotion move(World& world, Loads& loads, const Substep& substep, SolvedContacts& solved,
                          const VesselStart& vessel) {
   contact::StepMotion motion = velocity_step(world, loads, substep, solved, vessel);
+  if (world.elastic) world.elastic->keep(world.parts.bodies, motion.points, solved.contacts.springs, motion.springs);
   advance(world.parts.bodies, motion.after, world.model.theta * substep.h, world.gyroscopic, world.threads);
   finish_vessel_step(world, loads, motion);
   return motion;

@@ -147,8 +147,8 @@ SolvedContacts solve_contacts(World& world, const Loads& loads, const Substep& s
   const contact::AssemblySettings settings = world.model.assembly_over(substep.h);
   MissedContacts missed(world, substep, can_halve);
   do {
-    solved.contacts =
-        contact::assemble(world.parts.bodies, loads.total, solved.found.points, world.parts.friction, settings, vessel);
+    solved.contacts = contact::assemble(world.parts.bodies, loads.total, solved.found.points, world.parts.friction,
+                                        settings, vessel, world.springs(solved.found.points));
     watch.lap(Phase::assembly);
     solve(world, solved);
     note(solved.solution, solved.residuals);

@@ -12,9 +12,19 @@ namespace nilas::sim {
 contact::StaticFrictionSolution ContactModel::solve(contact::ContactProblem& problem,
                                                     const contact::PreparedProblem& prepared, const VecX& guess,
                                                     const contact::SlippingContacts& slipped) const {
+  contact::StaticFrictionSolution found;
   if (static_friction)
-    return contact::solve_with_static_friction(*static_friction, *solver, guess, slipped, problem, prepared);
-  return {solver->solve(prepared, guess), {}, 1};
+    found = contact::solve_with_static_friction(*static_friction, *solver, guess, slipped, problem, prepared);
+  else
+    found = {solver->solve(prepared, guess), {}, 1};
+  contact::ContactSolution& solution = found.solution;
+  if (sweep_at_rest && solution.iterations == 0 && solution.status == contact::SolveStatus::converged) {
+    contact::ContactSolution swept = sweep_at_rest->solve(prepared, solution.r);
+    solution.r = std::move(swept.r);
+    solution.v = std::move(swept.v);
+    solution.u = std::move(swept.u);
+  }
+  return found;
 }
 
 contact::AssemblySettings ContactModel::assembly_over(double h) const {
@@ -111,6 +121,10 @@ ContactModel build_contact_model(const scene::ContactScene& contact, int threads
   if (contact.on_failure == OnFailure::retry && !model.fixed_sweeps)
     model.solver = std::make_unique<solvers::WithRetry>(std::move(model.solver),
                                                         contact::find_solver(SolverName::automatic).make(settings));
+  const bool any_elastic = std::any_of(contact.friction.begin(), contact.friction.end(),
+                                       [](const scene::FrictionScene& pair) { return pair.elastic; });
+  if (any_elastic && !solver.order_free)
+    model.sweep_at_rest = contact::find_solver(SolverName::nsgs).make({.tolerance = 0, .max_iterations = 1});
   // Slip below ten times the solver's tolerance counts as rest.
   constexpr double k_least_slip = 1e-5;  // [m/s]
   if (has_static_friction(contact))

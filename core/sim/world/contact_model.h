@@ -21,6 +21,9 @@ struct ContactModel {
   std::unique_ptr<solvers::ContactSolver> solver;  ///< solver "auto" runs after it with on_failure="retry"
   std::optional<contact::StaticFriction>
       static_friction;  ///< if some pair's static coefficient exceeds its kinetic one
+  /// One more sweep where the guess already meets the tolerance, if some pair is elastic. Elastic contacts then come to
+  /// rest however loose the tolerance is.
+  std::unique_ptr<solvers::ContactSolver> sweep_at_rest;
   PositionStep position_step = PositionStep::none;
   double theta = 1;           ///< share of the step's motion that follows the impulses
   bool hit_when_met = false;  ///< true if a contact that would bounce gets no impulse before it touches

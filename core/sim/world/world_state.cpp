@@ -18,9 +18,11 @@ World::World(const scene::Scene& scene, int thread_count, WarningCounts& warning
       start(scene.time.start),
       gravity(scene.gravity),
       gyroscopic(scene.contact.gyroscopic),
+      ice_modulus(scene.ice ? scene.ice->youngs_modulus : 0),
       model(build_contact_model(scene.contact, thread_count, std::sqrt(scene.scale))),
       detector(thread_count, scene.contact.narrow_phase),
       energy(parts.info.work_names, 0, 0) {
+  if (parts.friction.any_elastic()) elastic.emplace();
   follow_bodies({});
   energy = EnergyAccount(parts.info.work_names, kinetic_energy(parts.bodies), potential());
 }
@@ -30,7 +32,16 @@ void World::follow_bodies(const std::vector<fracture::NewPiece>& pieces) {
   floes = static_cast<int>(std::count(parts.bodies.kind.begin(), parts.bodies.kind.end(), bodies::BodyKind::floe));
   weight.assign(size(), Wrench{});
   for (std::size_t b = 0; b < size(); ++b) weight[b].force = parts.bodies.mass[b] * gravity;
+  if (elastic) {
+    edge.assign(size(), 0);
+    for (std::size_t b = 0; b < size(); ++b)
+      if (parts.bodies.kind[b] == bodies::BodyKind::floe) edge[b] = ice_modulus * parts.bodies.shape[b]->thickness;
+  }
   for (const auto& module : parts.modules) module->follow(parts.bodies, pieces);
+}
+
+std::vector<contact::Spring> World::springs(const std::vector<detect::ContactPoint>& points) const {
+  return elastic ? elastic->springs(parts.bodies, points, parts.friction, edge) : std::vector<contact::Spring>{};
 }
 
 double World::potential() {
@@ -69,6 +80,7 @@ void World::save(StateWriter out) const {
   detector.save(out.group("detector"));
   out.add("slipping", slipping);
   warm.save(out.group("warm_start"));
+  if (elastic) elastic->save(out.group("elastic"));
   energy.save(out.group("energy"));
   if (parts.hull_water) out.add("hull_twist", parts.hull_water->twist);
   if (parts.commands->size() > 0) parts.commands->save(out.group("commands"));
@@ -93,6 +105,7 @@ void World::restore(const StateReader& in) {
   detector.restore(parts.bodies, in.group("detector"));
   in.get("slipping", slipping);
   warm.restore(in.group("warm_start"));
+  if (elastic) elastic->restore(in.group("elastic"));
   energy.restore(in.group("energy"));
   for (const auto& module : parts.modules) module->restore(state_of(*module));
 }

@@ -1,11 +1,13 @@
 #pragma once
 /// A world in motion: the contents built from the scene, and the state that steps carry forward.
 #include <cstdint>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
 
 #include "contact/detect/detector.h"
+#include "contact/elastic_contacts.h"
 #include "contact/static_friction.h"
 #include "contact/warm_start.h"
 #include "core/sim/account/ledger.h"
@@ -25,6 +27,8 @@ struct World {
   double time() const { return time_after(steps); }
   double time_after(long count) const { return start + static_cast<double>(count) * step; }
   double potential();
+  /// The springs of contact points, as left by the last step; empty where no contact is elastic.
+  std::vector<contact::Spring> springs(const std::vector<detect::ContactPoint>& points) const;
   /// Updates all per-body data after bodies changed. `pieces`: new bodies that replace a floe.
   void follow_bodies(const std::vector<fracture::NewPiece>& pieces);
   /// Throws SimulationError naming a body whose state is not finite or exceeds all bounds. `t`: present time [s].
@@ -41,12 +45,14 @@ struct World {
   double step, start;  ///< length of a step, time of the first [s]
   Vec3 gravity;
   bool gyroscopic;
+  double ice_modulus;  ///< Young's modulus [Pa]
   ContactModel model;
 
   // State.
   long steps = 0;
   detect::ContactDetector detector;
   contact::WarmStart warm;
+  std::optional<contact::ElasticContacts> elastic;  ///< present where some pair of materials is elastic
   contact::SlippingContacts slipping;
   EnergyAccount energy;
   std::set<std::pair<int, int>> unnamed_pairs;  ///< pairs of materials in contact that no <friction> names
@@ -56,6 +62,7 @@ struct World {
   int floes = 0;
   bodies::Wrenches weight;
   std::vector<double> width;  ///< smallest width of each body [m]
+  std::vector<double> edge;   ///< Young's modulus times thickness of floes, 0 for others; empty without `elastic` [N/m]
 };
 
 }  // namespace nilas::sim

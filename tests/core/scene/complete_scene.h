@@ -35,7 +35,8 @@ inline const char* const k_complete_scene = R"(<?xml version="1.0" encoding="UTF
            detection="discrete" margin="0.01" gyroscopic="false" axes_deg="30" warm_start="false">
     <friction between="ice ice"  static="0.30" kinetic="0.30" rolling="0" spinning="0" restitution="0.1"/>
     <friction between="hull ice" kinetic="0.10"/>
-    <friction between="quay *" static="0.2"/>
+    <friction between="quay *" static="0.2" elastic="true" stiffness="2e6" edge_factor="0.8" tangential_ratio="0.9"
+              damping_ratio="0.3"/>
   </contact>
   <water density="1000" level="0.5">
     <current velocity="0.1 0.2 0" profile="keel.csv" series="tide.csv"/>

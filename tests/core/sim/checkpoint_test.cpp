@@ -75,6 +75,27 @@ const std::vector<Case> k_cases{
                    "</contact>" NILAS_WATER
                    "<vessel name='ship' position='0.1 0' velocity='1 0 0' angular_velocity='0.02 0.05 0.1'>" NILAS_HULL
                    "<mass draught='0.2'/></vessel>" NILAS_PACKED},
+    {"ElasticTowing",
+     "<contact law='coulomb' solver='auto' tolerance='1e-4'><friction between='* *' kinetic='0.3' elastic='true'/>"
+     "</contact>" NILAS_WATER "<vessel name='ship' position='0.1 0'>" NILAS_HULL
+     "<mass draught='0.2'/><carriage speed='0.8' ramp='0.05' free='heave'/></vessel>" NILAS_PACKED},
+    {"ElasticIceThatBreaks",
+     "<contact law='coulomb' solver='nsgs' tolerance='1e-4'><friction between='ice ice' kinetic='0.3' elastic='true'/>"
+     "<friction between='hull ice' kinetic='0.1'/></contact>" NILAS_WATER
+     "<vessel name='ship' position='0.3 0'>" NILAS_HULL
+     "<mass draught='0.2'/><carriage speed='0.8' free='heave'/></vessel><ice thickness='0.02'>"
+     "<field kind='packed' region='3 -1.5 5.7 1.5' concentration='0.85' breakable='true'>"
+     "<size distribution='lognormal' mean='0.6' sd='0.1' min='0.4' max='0.8'/><shape kind='polygon' vertices='5 8'/>"
+     "</field></ice><fracture flexural_strength='5e3' compressive_strength='2e4' min_area='1e-3'>"
+     "<crushing model='compliant'/><bending/><splitting/></fracture>"},
+    {"ElasticPileOnASlope",
+     "<contact law='coulomb' solver='nsgs' tolerance='1e-7'><friction between='* *' kinetic='0.3' elastic='true' "
+     "stiffness='1e5'/>"
+     "</contact><gravity value='2.5 0 -9.4'/><body name='ground' shape='plane' fixed='true'/>"
+     "<body shape='box' size='0.4 0.3 0.2' mass='2' position='0 0 0.12' rotation_deg='10 3 5'/>"
+     "<body shape='box' size='0.3 0.3 0.3' mass='1' position='0.05 0.02 0.45' rotation_deg='33 20 0'/>"
+     "<body shape='sphere' radius='0.1' mass='1' position='-0.5 0 0.3' velocity='1 0 0'/>"
+     "<body shape='cylinder' radius='0.1' height='0.2' mass='1' position='0.6 0 0.25' velocity='-1 0 -1'/>"},
     {"FclsContacts",
      "<contact law='coulomb' solver='nsgs' tolerance='1e-6' narrow_phase='fcl'>" NILAS_FRICTION "</contact>" NILAS_WATER
      "<vessel name='ship' position='0.1 0' velocity='1 0 0'>" NILAS_HULL "<mass draught='0.2'/></vessel>" NILAS_PACKED},

@@ -113,11 +113,12 @@ TEST(ContactRows, StructuresAreTheSideOnWhichTheForceActs) {
 /// Impulses of the floe of 10 kg on the vessel: 1 N s corresponds to 0.1 m/s.
 TEST(ContactRows, StatusFollowsFromImpulseAndVelocity) {
   const auto status = [&](const Vec3& r, const Vec3& u, Law law = Law::coulomb, double limit = 1e9,
-                          double compliance = 0) {
+                          double compliance = 0, double tangential = 0) {
     contact::SolvedProblem solved = touching({{0, 2}});
     solved.problem.law = law;
-    solved.problem.force_limit[0] = limit;
+    solved.problem.force_limit[0] = solved.points[0].force_limit = limit;
     solved.problem.compliance[0] = compliance;
+    solved.problem.tangential_compliance[0] = tangential;
     solved.solution.r = r;
     solved.solution.u = u;
     return contact_status(solved, 0);
@@ -133,6 +134,9 @@ TEST(ContactRows, StatusFollowsFromImpulseAndVelocity) {
   EXPECT_EQ(status({1, 0, 0}, {0, 0.1, 0}, Law::frictionless), ContactStatus::slip);
   EXPECT_EQ(status({1, 0.2, 0}, {-0.1, 0, 0}, Law::coulomb, 1), ContactStatus::crush);
   EXPECT_EQ(status({1, 0.2, 0}, {-0.1, 0, 0}, Law::coulomb, 2, 0.1), ContactStatus::crush) << "u_N + c r_N = 0";
+  const double none = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(status({1, 0.2, 0}, {-0.1, -0.04, 0}, Law::coulomb, none, 0.1, 0.2), ContactStatus::stick) << "elastic";
+  EXPECT_EQ(status({1, 0.5, 0}, {-0.1, -0.3, 0}, Law::coulomb, none, 0.1, 0.2), ContactStatus::slip) << "elastic";
   EXPECT_EQ(status({0, 0, 0}, {0.1, 0, 0}, Law::coulomb, 2, 0.1), ContactStatus::open);
 }
 

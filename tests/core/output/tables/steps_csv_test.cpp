@@ -35,6 +35,21 @@ TEST(StepsCsv, WritesARecord) {
             "1e-12,1e-13,2e-13,2,4,1,2,3,4,5,6,7,00000000000000ab");
 }
 
+TEST(StepsCsv, ElasticContactsAddTheirEnergyAndTheirLoss) {
+  const ScratchFolder folder;
+  sim::RunInfo info = full_run();
+  info.elastic_contacts = true;
+  StepsCsv csv(folder / "steps.csv", info);
+  sim::StepRecord record = full_record();
+  record.ledger.elastic = 3;
+  record.ledger.damping = 4;
+  csv.row(record);
+  const auto lines = lines_of(folder / "steps.csv");
+  EXPECT_NE(lines.at(0).find("potential_J,elastic_J,work_drag_J,work_carriage_J,damping_J,friction_J"),
+            std::string::npos);
+  EXPECT_NE(lines.at(1).find(",5,-6,3,7,-8,4,0.5,"), std::string::npos) << lines.at(1);
+}
+
 TEST(StepsCsv, ALedgerOfOtherWorksIsABrokenContract) {
   const ScratchFolder folder;
   StepsCsv csv(folder / "steps.csv", full_run());

@@ -36,6 +36,14 @@ TEST(CheckContact, SpinningFrictionHasNoPlaceInStoredProblems) {
   EXPECT_TRUE(folder.faults(in_scene(contact + "<output problems='never'/>")).empty());
 }
 
+TEST(CheckContact, TheReferenceKnowsNoElasticContacts) {
+  const SceneFolder folder;
+  const std::string pair = "<friction between='* *' kinetic='0.1' elastic='true' stiffness='1e5'/></contact>";
+  expect_fault(folder.faults(in_scene("<contact integrator='reference'>" + pair)), 2, "<contact><friction elastic>",
+               {"integrator 'reference' does not take elastic contacts", "allowed: false"});
+  EXPECT_TRUE(folder.faults(in_scene("<contact>" + pair)).empty());
+}
+
 TEST(CheckContact, StepsOfMoreauAreNotCut) {
   const SceneFolder folder;
   expect_fault(folder.faults(in_scene("<contact integrator='moreau' substeps='4'/>")), 2, "<contact substeps>",

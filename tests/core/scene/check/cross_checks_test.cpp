@@ -111,6 +111,10 @@ TEST(CrossChecks, Friction) {
                {friction("between='ice ice' static='0.1' kinetic='0.2'"), "<contact><friction static>", "not below"},
                {friction("between='ice hul' static='0.1'"), "<contact><friction between>", "nearest: hull"},
                {friction("between='ice' static='0.1'"), "<contact><friction between>", "2 words"},
+               {friction("between='ice *' static='0.1' elastic='true' restitution='0.2'"),
+                "<contact><friction restitution>", "damping_ratio"},
+               {friction("between='hull wall' static='0.1' elastic='true'"), "<contact><friction stiffness>",
+                "materials other than ice"},
                {"<contact><friction between='ice hull' static='0'/><friction between='hull ice' static='0'/></contact>",
                 "<contact><friction between>", "already named in line 2"}});
 }

@@ -67,6 +67,18 @@ TEST_F(CompleteScene, FrictionTakesTheMissingCoefficientFromTheOther) {
   EXPECT_EQ(friction[2].kinetic, 0.2);
 }
 
+TEST_F(CompleteScene, ElasticPairs) {
+  const auto& friction = scene_.contact.friction;
+  EXPECT_FALSE(friction[0].elastic);
+  EXPECT_FALSE(friction[0].stiffness || friction[0].tangential_ratio) << "those of the ice";
+  EXPECT_EQ(friction[0].edge_factor, 0.5);
+  EXPECT_TRUE(friction[2].elastic);
+  EXPECT_EQ(friction[2].stiffness, 2e6);
+  EXPECT_EQ(friction[2].edge_factor, 0.8);
+  EXPECT_EQ(friction[2].tangential_ratio, 0.9);
+  EXPECT_EQ(friction[2].damping_ratio, 0.3);
+}
+
 TEST_F(CompleteScene, WaterAndTank) {
   EXPECT_EQ(scene_.water->density, 1000);
   EXPECT_EQ(scene_.water->level, 0.5);

@@ -20,7 +20,7 @@ class StepBits {
     const sim::Ledger& l = record.ledger;
     add(record.t, record.penetration_max, record.penetration_mean, record.momentum_imbalance, record.momentum_scale,
         record.angular_momentum_imbalance, record.angular_momentum_scale, l.kinetic, l.potential, l.friction, l.impact,
-        l.stabilisation, l.fracture, l.crushing, l.integrator, l.imbalance);
+        l.stabilisation, l.fracture, l.crushing, l.elastic, l.damping, l.integrator, l.imbalance);
     for (const fracture::FractureEvent& event : record.broken) {
       add(event.floe, event.p_G.x(), event.p_G.y(), event.energy, event.length, event.radius, event.ratio, event.brash);
       for (const std::int64_t piece : event.pieces) add(piece);
