@@ -1,8 +1,18 @@
 #include "core/output/loads/ice_load.h"
 
+#include <cmath>
+
 #include "core/output/loads/mean_error.h"
 
 namespace nilas::output {
+
+bool IceLoad::peak_is_impulse_over_step() const {
+  constexpr double k_two_steps = 2.5;  // with room for rounding
+  constexpr double k_impact = 2;       // a lower peak is part of a lasting load
+  const Peak& peak = along.peak;
+  return (rigid || elastic) && touched && std::abs(peak.raw) > k_impact * std::abs(along.statistics.mean) &&
+         peak.event_to - peak.event_from < k_two_steps * step;
+}
 
 bool IceLoad::impacts_dominate() const {
   constexpr double k_third = 1.0 / 3.0;

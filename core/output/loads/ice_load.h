@@ -44,11 +44,15 @@ struct IceLoad {
   double step = 0;        ///< [s]
   bool touched = false;   ///< true if ice pressed on it at least once; for a vessel, within the window
   bool rigid = true;      ///< true if some ice meets the hull as a rigid body
+  bool elastic = false;   ///< true if some contacts of the scene are elastic
   ComponentLoad along;    ///< positive astern
   ComponentLoad across;   ///< positive to port
   double in_largest = 0;  ///< share of the impulse along the course in 1 % of the steps
   std::optional<TowForce> tow;
 
+  /// Whether the raw peak along the course is an impact of at most two steps, of more than twice the mean, that nothing
+  /// but the step limits. Such a peak is the impulse over the step.
+  bool peak_is_impulse_over_step() const;
   /// Whether rigid impacts in single steps contribute so much to the mean that the ice's strength should limit them.
   bool impacts_dominate() const;
 };

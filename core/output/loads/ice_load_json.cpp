@@ -49,6 +49,7 @@ const char* course_text(sim::CourseKind course) {
 Json peaks_json(const IceLoad& load) {
   return {{"filter_s", load.filter},
           {"raw_depends_on", raw_peak_depends_on(load)},
+          {"raw_is_impulse_over_step", load.peak_is_impulse_over_step()},
           {"part_of_impulse_in_largest_percent", load.in_largest},
           {"impacts_dominate", load.impacts_dominate()}};
 }

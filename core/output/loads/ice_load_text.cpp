@@ -132,9 +132,16 @@ std::string sided_force(double newton, const LoadSides& sides) {
 }
 
 std::string raw_peak_depends_on(const IceLoad& load) {
+  if (load.peak_is_impulse_over_step())
+    return fmt::format(
+        "This peak is one impact, and its force is the impulse over the time step of {:g} s: half the step gives "
+        "about twice the force. Take the filtered peak, let the ice crush, or {}.",
+        load.step, load.rigid ? "make the contacts elastic" : "take a step that resolves the elastic impact");
   if (load.rigid)
     return fmt::format("This peak depends on the time step of {:g} s: a rigid impact is over within one step.",
                        load.step);
+  if (load.elastic)
+    return fmt::format("This peak depends on the stiffness of the contacts and on the time step of {:g} s.", load.step);
   return fmt::format(
       "This peak depends on the crushing strength, on the size of the mesh faces that the ice meets and "
       "on the time step of {:g} s.",

@@ -234,6 +234,7 @@ std::optional<IceLoad> RunStatistics::ice_load(const TwinStatistics* twins) cons
   load.filter = peak_filter();
   load.step = h_;
   load.rigid = info_.rigid_contacts;
+  load.elastic = info_.elastic_contacts;
   const auto component = [&](const char* name) {
     ComponentLoad found = component_load(series_of(name), load.window, t_start_, h_, load.filter, error->ice_broke);
     for (const ChannelError& c : error->channels)
@@ -279,6 +280,7 @@ std::vector<StructureLoad> RunStatistics::structure_loads() const {
     load.ice.step = h_;
     load.ice.touched = structure_first_ice_[k] < k_never;
     load.ice.rigid = info_.rigid_contacts;
+    load.ice.elastic = info_.elastic_contacts;
     for (std::size_t c = 0; c < names.size(); ++c)
       load.loads.emplace_back(names[c],
                               component_load(structure_series_[k * names.size() + c], load.ice.window, t_start_, h_,

@@ -54,6 +54,20 @@ double length_along_x(const geometry::Shape& hull) {
   return high - low;
 }
 
+/// Whether ice meets the vessel and all fixed structures elastically.
+bool ice_is_elastic(const WorldParts& parts) {
+  if (!parts.friction.any_elastic()) return false;
+  const bodies::Bodies& bodies = parts.bodies;
+  for (std::size_t b = 0; b < bodies.id.size(); ++b) {
+    if (!parts.is_of_vessel(static_cast<int>(b)) && !is_structure(bodies, b)) continue;
+    for (std::size_t floe = 0; floe < bodies.id.size(); ++floe)
+      if (bodies.kind[floe] == bodies::BodyKind::floe &&
+          !parts.friction.of(bodies.material[b], bodies.material[floe]).elastic)
+        return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 void describe_loads(const scene::Scene& scene, WorldParts& parts) {
@@ -72,7 +86,7 @@ void describe_loads(const scene::Scene& scene, WorldParts& parts) {
   info.statistics = scene.output.statistics;
   info.peak_filter = scene.output.peak_filter;
   const bool crushes = scene.fracture && scene.fracture->crushing && scene.ice;
-  info.rigid_contacts = !crushes || !all_breakable(*scene.ice);
+  info.rigid_contacts = (!crushes || !all_breakable(*scene.ice)) && !ice_is_elastic(parts);
   // Its impacts within a step leave no contacts to add up.
   if (scene.contact.integrator == Integrator::reference) return;
   for (std::size_t b = 0; b < parts.bodies.id.size(); ++b)

@@ -103,6 +103,31 @@ TEST(IceLoad, LinesFitTheScreenAndNameWhatPeaksDependOn) {
   EXPECT_FALSE(load->impacts_dominate()) << "what crushes is limited already";
 }
 
+TEST(IceLoad, ARawPeakOfOneOrTwoStepsIsAnImpulseOverTheStep) {
+  RunStatistics statistics = towed(test::full_run());
+  auto load = statistics.ice_load(nullptr);
+  EXPECT_FALSE(load->peak_is_impulse_over_step()) << "a constant load";
+  EXPECT_EQ(raw_peak_depends_on(*load).find("impulse over"), std::string::npos);
+  load->along.peak.raw = 300;
+  for (const int steps : {1, 2, 3}) {
+    load->along.peak.event_to = load->along.peak.event_from + steps * load->step;
+    EXPECT_EQ(load->peak_is_impulse_over_step(), steps < 3) << steps;
+    const std::string text = raw_peak_depends_on(*load);
+    EXPECT_EQ(
+        text.find("is the impulse over the time step of 0.01 s: half the step gives about twice") != std::string::npos,
+        steps < 3)
+        << text;
+    EXPECT_EQ(ice_load_json(*load, sim::CourseKind::carriage)["peaks"]["raw_is_impulse_over_step"], steps < 3);
+  }
+  load->along.peak.event_to = load->along.peak.event_from + load->step;
+  load->rigid = false;
+  EXPECT_FALSE(load->peak_is_impulse_over_step()) << "crushing limits it";
+  load->elastic = true;
+  EXPECT_TRUE(load->peak_is_impulse_over_step()) << "stiffer than the step resolves";
+  load->along.peak.event_to += load->step * 20;
+  EXPECT_NE(raw_peak_depends_on(*load).find("stiffness of the contacts"), std::string::npos);
+}
+
 /// The side stands in words, so no number of a load has a sign.
 TEST(IceLoad, ALoadToTheOtherSideIsPositiveToo) {
   RunStatistics statistics = towed(test::full_run());

@@ -217,4 +217,16 @@ TEST(ElasticContact, IceTakesItsStiffnessFromModulusAndThickness) {
   for (const double c : pair) EXPECT_NEAR(c, 4 / (k * step * (step + retardation)), 0.002 * c);
 }
 
+TEST(ElasticContact, TheHullMeetsElasticIceNoMoreAsARigidBody) {
+  const auto info = [](const std::string& pair) {
+    Rig rig("<time step='0.01' end='1'/><water density='1005'/><contact><friction between='" + pair +
+            "' kinetic='0.2' elastic='true'/><friction between='* *' kinetic='0.1'/></contact>" +
+            test::box_vessel("position='0 0'", "<fixed/>") +
+            "<ice thickness='0.1'><floe outline='3 0 4 0 4 1 3 1'/></ice>");
+    return std::pair(rig.simulation.info().elastic_contacts, rig.simulation.info().rigid_contacts);
+  };
+  EXPECT_EQ(info("hull ice"), std::pair(true, false));
+  EXPECT_EQ(info("ice ice"), std::pair(true, true));
+}
+
 }  // namespace elastic_contact_test
