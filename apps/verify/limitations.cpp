@@ -90,6 +90,20 @@ void add_rolling(std::vector<Limitation>& all) {
                  "`ball.xml`, radius 0.5 m, rolls at 1 m/s", speed(0), speed(k_length), exact});
 }
 
+void add_rigid_contacts(std::vector<Limitation>& all) {
+  constexpr double k_stiffness = 1e5, k_mass = 2, k_height = 0.1;  // [N/m], of `block.xml` [kg], [m]
+  const auto depth = [&](const char* elastic) {
+    Trial run = trial(
+        "block.xml", {},
+        of("block", "velocity", "0 0 0") + scene::Overrides{{"contact/friction[1]/@elastic", elastic},
+                                                            {"contact/friction[1]/@stiffness", text(k_stiffness)}});
+    run.run(300);
+    return k_height - run.body("block").p.z();
+  };
+  all.push_back({"rigid contacts instead of elastic ones (`elastic=\"true\"`)", "indentation of the floor at rest [m]",
+                 "`block.xml` at rest, 1e5 N/m", depth("false"), depth("true"), k_mass * k_gravity / k_stiffness});
+}
+
 void add_split_impulse(std::vector<Limitation>& all) {
   const auto depth = [&](const std::string& stabilisation) {
     Trial run = trial("block.xml", {},
@@ -214,6 +228,7 @@ std::vector<Limitation> limitations() {
   add_gyroscopic(all);
   add_static_friction(all);
   add_rolling(all);
+  add_rigid_contacts(all);
   add_split_impulse(all);
   add_fixed_sweeps(all);
   add_discrete_detection(all);
@@ -261,6 +276,10 @@ std::string limitations_markdown(const std::vector<Limitation>& all) {
       "- splitting by geometry\n"
       "- straight cracks\n"
       "- uniform ice\n"
+      "\n"
+      "**Rigid contacts.** A rigid contact leaves open how a jam shares its load, and an impact is over within\n"
+      "a step. [Elastic contacts](../theory/contact.md#elastic-contacts) decide both. What they change in\n"
+      "mean loads is [measured](validation-loads.md#rigid-and-elastic-contacts).\n"
       "\n"
       "**Not shown.** Nilas itself simplifies the following, so no run shows what it costs:\n"
       "\n"

@@ -45,6 +45,7 @@ const std::vector<SimplificationText>& texts() {
       {library_contacts, "FCL's contacts",
        "contacts are those of the collision library FCL, not those of an exact search"},
       {equal_friction, "mu_s = mu_k", "static friction is no higher than kinetic friction"},
+      {rigid_contacts, "rigid contacts", "contacts are rigid, not springs"},
       {no_rolling, "no rolling friction", "rolling and spinning friction are left out"},
       {no_gyroscopic, "no gyroscopic torque", "the gyroscopic torque of spinning bodies is left out"},
       {uniform_inertia, "uniform inertia", "the vessel's inertia is that of uniform density, not the one given"},
@@ -78,6 +79,14 @@ scene::Overrides without_moments(const scene::Scene& scene) {
     if (pair.rolling > 0) changes.emplace_back(friction_path(k, "rolling"), "0");
     if (pair.spinning > 0) changes.emplace_back(friction_path(k, "spinning"), "0");
   }
+  return changes;
+}
+
+/// The overrides that make the elastic pairs rigid.
+scene::Overrides without_springs(const scene::Scene& scene) {
+  scene::Overrides changes;
+  for (std::size_t k = 0; k < scene.contact.friction.size(); ++k)
+    if (scene.contact.friction[k].elastic) changes.emplace_back(friction_path(k, "elastic"), "false");
   return changes;
 }
 
@@ -155,6 +164,7 @@ std::string no_effect(Simplification simplification, const scene::Scene& scene) 
     return "no pair of materials has more static than kinetic friction";
   if (simplification == no_rolling && without_moments(scene).empty())
     return "no pair of materials has rolling or spinning friction";
+  if (simplification == rigid_contacts && without_springs(scene).empty()) return "no pair of materials is elastic";
   if (simplification == prismatic && !(scene.vessel && scene.vessel->carriage))
     return "the scene has no towing carriage";
   if (simplification == prismatic && !scene.vessel->rods.empty())
@@ -209,6 +219,8 @@ scene::Overrides putting_in(Simplification simplification, const scene::Scene& s
       return static_as_kinetic(scene);
     case no_rolling:
       return without_moments(scene);
+    case rigid_contacts:
+      return without_springs(scene);
     case no_gyroscopic:
       return {{"contact/@gyroscopic", "false"}};
     case discrete:

@@ -11,6 +11,7 @@ enum class Simplification {
   pyramid,
   equal_friction,
   no_rolling,
+  rigid_contacts,
   no_gyroscopic,
   split_impulse,
   discrete,

@@ -106,6 +106,14 @@ TEST(Simplification, AVesselOnRodsKeepsItsGyroscopicTorqueAndItsBalance) {
   }
 }
 
+TEST(Simplification, ElasticPairsBecomeRigid) {
+  EXPECT_FALSE(no_effect(rigid_contacts, shipped("towing.xml")).empty());
+  const scene::Overrides elastic{{"contact/friction[1]/@elastic", "true"}, {"contact/friction[2]/@elastic", "true"}};
+  EXPECT_TRUE(without(shipped("towing.xml", elastic), elastic).contact.friction.at(1).elastic);
+  const scene::Scene simple = with(shipped("towing.xml", elastic), rigid_contacts, elastic);
+  for (const scene::FrictionScene& pair : simple.contact.friction) EXPECT_FALSE(pair.elastic);
+}
+
 TEST(Simplification, RollingFrictionIsTakenFromEveryPair) {
   const scene::Overrides rolling{{"contact/friction[1]/@rolling", "0.01"}, {"contact/friction[2]/@spinning", "0.02"}};
   const scene::Scene scene = shipped("towing.xml", rolling);
