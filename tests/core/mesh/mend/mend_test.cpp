@@ -3,11 +3,11 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <random>
 #include <set>
 
 #include "core/base/error.h"
+#include "core/base/machine.h"
 #include "tests/core/mesh/hull_shapes.h"
 #include "tests/support/refusal.h"
 
@@ -163,9 +163,9 @@ TEST(Mend, AFaceOfManyRepeatedCornersTakesNoTime) {
   PolygonSoup soup{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{}}};
   constexpr int k_corners = 300000;
   for (int k = 0; k < k_corners; ++k) soup.polygons[0].push_back(k % 3);
-  const auto start = std::chrono::steady_clock::now();
+  const double start = processor_seconds();
   expect_answer(soup, settings(1));
-  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(20));
+  EXPECT_LT(processor_seconds() - start, 20);
 }
 
 TEST(Mend, AFaceOfTooManyCornersIsRefusedWithItsPlace) {
