@@ -75,7 +75,7 @@ TEST(ConePairs, RecentringMovesOnlyProductsBeyondTheBounds) {
   ASSERT_TRUE(scale(x, y, scaling));
   ContactVectors g(k_count);
   recentre(scaling, none, none, 1, 1e-30, 1e30, g);
-  for (std::size_t c = 0; c < k_count; ++c) EXPECT_EQ(g.at(c), Vec3(Vec3::Zero()));
+  for (std::size_t c = 0; c < k_count; ++c) EXPECT_LT(g.at(c).norm(), 1e-15);
   constexpr double least = 1e3;
   recentre(scaling, none, none, 1, least, 2 * least, g);
   for (std::size_t c = 1; c < k_count; ++c) {
