@@ -1,6 +1,6 @@
 /**
- * The page of runs of the program, which the environment variable NILAS names: a tow, level
- * ice that breaks, and a moored ship in waves.
+ * The page of runs of the program, which the environment variable NILAS names: a tow, level ice that breaks, and a
+ * moored ship in waves.
  */
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
