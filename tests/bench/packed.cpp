@@ -1,7 +1,8 @@
 /// The packed scene on Nilas, and the file from which the peers read the same scene.
 /// usage: bench_packed write FLOES FOLDER     makes FOLDER/packed-FLOES.{xml,geojson,txt}
-///        bench_packed run FOLDER FLOES SWEEPS       sweeps of pgs on pyramids; 0: auto on the exact cone to 1e-6
-///                                             m/s; cold: the same from zero impulses in every step
+///        bench_packed run FOLDER FLOES SWEEPS [TOLERANCE [FRICTION [SOLVER]]]
+///            sweeps of pgs on pyramids; 0: SOLVER (auto) on the exact cone to TOLERANCE (1e-6 m/s), with FRICTION
+///            (0.15) everywhere; cold: the same from zero impulses in every step
 #include <malloc.h>
 
 #include <cmath>
@@ -113,19 +114,27 @@ int write(int floes, const fs::path& folder) {
   return 0;
 }
 
-int run(const fs::path& folder, const std::string& floes, const std::string& sweeps) {
-  const bool cold = sweeps == "cold", exact = cold || sweeps == "0";
-  scene::Overrides changes{{"contact/@max_iterations", exact ? "1000" : sweeps}};
+struct Asked {
+  std::string floes, sweeps, tolerance = "1e-6", friction = "0.15", solver = "auto";
+};
+
+int run(const fs::path& folder, const Asked& asked) {
+  const bool cold = asked.sweeps == "cold", exact = cold || asked.sweeps == "0";
+  scene::Overrides changes{{"contact/@max_iterations", exact ? "1000" : asked.sweeps},
+                           {"contact/friction/@static", asked.friction},
+                           {"contact/friction/@kinetic", asked.friction}};
   if (exact)
-    changes.insert(changes.end(),
-                   {{"contact/@solver", "auto"}, {"contact/@law", "coulomb"}, {"contact/@tolerance", "1e-6"}});
+    changes.insert(
+        changes.end(),
+        {{"contact/@solver", asked.solver}, {"contact/@law", "coulomb"}, {"contact/@tolerance", asked.tolerance}});
   if (cold) changes.emplace_back("contact/@warm_start", "false");
-  const scene::Scene scene = scene::read_scene(folder / ("packed-" + floes + ".xml"), changes);
+  const scene::Scene scene = scene::read_scene(folder / ("packed-" + asked.floes + ".xml"), changes);
   WarningCounts warnings(make_logger("off", ""));
   sim::Simulation simulation(scene, 1, warnings);
   std::vector<peers::Parts> window;
   std::vector<double> natural_maps;
   double contacts = 0, penetration = 0;
+  int missed = 0;
   for (int n = 0; n < peers::k_last_measured; ++n) {
     const double t0 = peers::now_ms();
     const sim::StepRecord record = simulation.step();
@@ -138,11 +147,15 @@ int run(const fs::path& folder, const std::string& floes, const std::string& swe
          ms(sim::Phase::hydro), total});
     natural_maps.push_back(record.residuals.natural_map_m_s);
     contacts += record.contacts;
+    if (exact && !(record.residuals.law_map_m_s <= std::stod(asked.tolerance))) ++missed;
     penetration = std::max(penetration, record.penetration_max);
   }
-  const std::string engine = cold ? "nilas-cold" : exact ? "nilas-auto" : "nilas";
-  peers::print_row(engine.c_str(), static_cast<std::size_t>(simulation.info().floes), exact ? 0 : std::stoi(sweeps),
-                   window, contacts / static_cast<double>(window.size()), penetration / k_thickness, natural_maps);
+  std::string engine = cold ? "nilas-cold" : exact ? "nilas-" + asked.solver : "nilas";
+  if (exact && asked.tolerance != Asked{}.tolerance) engine += "-" + asked.tolerance;
+  if (asked.friction != Asked{}.friction) engine += "-friction-" + asked.friction;
+  peers::print_row(engine.c_str(), static_cast<std::size_t>(simulation.info().floes),
+                   exact ? 0 : std::stoi(asked.sweeps), window, contacts / static_cast<double>(window.size()),
+                   penetration / k_thickness, natural_maps, missed);
   return 0;
 }
 
@@ -154,7 +167,14 @@ int main(int argc, char** argv) {
   mallopt(M_MMAP_THRESHOLD, k_keep_bytes);
   const std::string mode = argc > 1 ? argv[1] : "";
   if (mode == "write" && argc == 4) return write(std::stoi(argv[2]), argv[3]);
-  if (mode == "run" && argc == 5) return run(argv[2], argv[3], argv[4]);
-  std::fprintf(stderr, "usage: bench_packed write FLOES FOLDER | run FOLDER FLOES SWEEPS\n");
+  if (mode == "run" && argc >= 5 && argc <= 8) {
+    Asked asked{argv[3], argv[4]};
+    if (argc > 5) asked.tolerance = argv[5];
+    if (argc > 6) asked.friction = argv[6];
+    if (argc > 7) asked.solver = argv[7];
+    return run(argv[2], asked);
+  }
+  std::fprintf(stderr,
+               "usage: bench_packed write FLOES FOLDER | run FOLDER FLOES SWEEPS [TOLERANCE [FRICTION [SOLVER]]]\n");
   return 2;
 }

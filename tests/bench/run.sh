@@ -20,7 +20,7 @@ packed() {
     [ -f "$out/packed-$floes.txt" ] || "$bin/bench_packed" write "$floes" "$out"
   done
   local rows=$out/rows.csv
-  echo "engine,floes,sweeps,detect_ms,solve_ms,water_ms,total_ms,contacts,penetration_max_over_thickness,total_ms_95,natural_map_m_s" >"$rows"
+  echo "engine,floes,sweeps,detect_ms,solve_ms,water_ms,total_ms,contacts,penetration_max_over_thickness,total_ms_95,natural_map_m_s,missed_steps" >"$rows"
   # In turn, so that a change in the machine's speed meets all three.
   for round in $(seq "$rounds"); do
     for floes in 200 1000 4000; do
@@ -39,7 +39,7 @@ packed() {
 exact() {
   local rows=$bin/packed/exact.csv floes limit=${LIMIT:-600} python=${PYTHON:-/usr/bin/python3} mujoco=yes
   "$python" -c 'import mujoco' 2>/dev/null || { mujoco=no && echo "mujoco: Python package not found, left out"; }
-  echo "engine,floes,sweeps,detect_ms,solve_ms,water_ms,total_ms,contacts,penetration_max_over_thickness,total_ms_95,natural_map_m_s" >"$rows"
+  echo "engine,floes,sweeps,detect_ms,solve_ms,water_ms,total_ms,contacts,penetration_max_over_thickness,total_ms_95,natural_map_m_s,missed_steps" >"$rows"
   for floes in ${SIZES:-200 1000 4000}; do
     [ -f "$bin/packed/packed-$floes.txt" ] || "$bin/bench_packed" write "$floes" "$bin/packed"
     timeout "$limit" "$bin/bench_packed" run "$bin/packed" "$floes" 0 >>"$rows" || echo "auto on $floes floes: not within $limit s"
@@ -63,7 +63,7 @@ solvers() {
     done
   done
   if [ -n "${NILAS_FCLIB_DIR:-}" ]; then files+=("$NILAS_FCLIB_DIR"/*.hdf5); fi
-  echo "problem,contacts,velocities,solver,asked,status,iterations,seconds,natural_map_m_s" >"$rows"
+  echo "problem,contacts,velocities,solver,asked,status,iterations,seconds,natural_map_m_s,missed_steps" >"$rows"
   OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 "$bin/bench_solvers" "${LIMIT:-5}" "${files[@]}" >>"$rows"
   /usr/bin/python3 tests/bench/solvers_table.py "$rows" "$out"
   echo "rows: $rows"

@@ -153,10 +153,10 @@ inline double percentile_95(std::vector<double> x) {
 }
 
 /// Prints one CSV row: engine,floes,sweeps,detect_ms,solve_ms,water_ms,total_ms,contacts,
-/// penetration_max_over_thickness,total_ms_95,natural_map_m_s. Values are medians of the window unless the name says
-/// otherwise.
+/// penetration_max_over_thickness,total_ms_95,natural_map_m_s,missed_steps. Values are medians of the window unless the
+/// name says otherwise. A peer has no tolerance to miss.
 inline void print_row(const char* engine, std::size_t floes, int sweeps, const std::vector<Parts>& window,
-                      double contacts, double penetration, const std::vector<double>& natural_maps) {
+                      double contacts, double penetration, const std::vector<double>& natural_maps, int missed = 0) {
   std::vector<double> d, s, w, t;
   for (const auto& p : window) {
     d.push_back(p.detect);
@@ -164,8 +164,8 @@ inline void print_row(const char* engine, std::size_t floes, int sweeps, const s
     w.push_back(p.water);
     t.push_back(p.total);
   }
-  std::printf("%s,%zu,%d,%.4f,%.4f,%.4f,%.4f,%.1f,%.4f,%.4f,%.3g\n", engine, floes, sweeps, median(d), median(s),
-              median(w), median(t), contacts, penetration, percentile_95(t), median(natural_maps));
+  std::printf("%s,%zu,%d,%.4f,%.4f,%.4f,%.4f,%.1f,%.4f,%.4f,%.3g,%d\n", engine, floes, sweeps, median(d), median(s),
+              median(w), median(t), contacts, penetration, percentile_95(t), median(natural_maps), missed);
 }
 
 constexpr int k_first_measured = 140, k_last_measured = 240;
