@@ -20,6 +20,7 @@
 #include "contact/solvers/nsgs.h"
 #include "contact/solvers/shared/row_residual.h"
 #include "core/base/error.h"
+#include "core/base/parallel.h"
 
 namespace nilas::solvers {
 
@@ -186,6 +187,14 @@ contact::ContactSolution accepted(const contact::PreparedProblem& problem, const
   return solution;
 }
 
+/// The impulses of one island's contacts.
+VecX impulses_of(const VecX& r, const std::vector<int>& island) {
+  VecX out(contact::row_of(island.size()));
+  for (std::size_t i = 0; i < island.size(); ++i)
+    out.segment<3>(contact::row_of(i)) = r.segment<3>(contact::row_of(island[i]));
+  return out;
+}
+
 /// The islands with a contact whose law_map is above the tolerance or not a number.
 std::vector<std::vector<int>> unsolved(const contact::PreparedProblem& prepared, const VecX& r, double tolerance) {
   const contact::ContactProblem& problem = prepared.problem();
@@ -202,38 +211,57 @@ std::vector<std::vector<int>> unsolved(const contact::PreparedProblem& prepared,
   return islands;
 }
 
+/// The islands that the bodies did not solve.
+struct LeftByBodies {
+  std::vector<std::vector<int>> islands;  ///< for the next rungs
+  bool has_jam = false;                   ///< one of more contacts than these rungs take
+};
+
+/// Islands of fewer contacts are solved at the same time as each other [-].
+constexpr std::size_t k_large_on_bodies = 1000;
+
 /// Solves islands on their bodies where that can be, the smallest first, so that the hardest is left when time runs
 /// out. Each has the whole budget of iterations. The better impulses, the iterations of the island that took most and
-/// the history go into `whole`. Returns the islands that are not solved.
-std::vector<std::vector<int>> solve_each_on_bodies(const contact::ContactProblem& problem,
-                                                   std::vector<std::vector<int>> islands,
-                                                   const contact::SolverSettings& shared, const Budget& budget,
-                                                   Log& log, contact::ContactSolution& whole) {
+/// the history go into `whole`.
+LeftByBodies solve_each_on_bodies(const contact::ContactProblem& problem, std::vector<std::vector<int>> islands,
+                                  const AutoSettings& settings, const Budget& budget, Log& log,
+                                  contact::ContactSolution& whole) {
   std::stable_sort(islands.begin(), islands.end(), [](const auto& a, const auto& b) { return a.size() < b.size(); });
-  std::vector<std::vector<int>> rest;
+  std::vector<std::optional<BodyOutcome>> outcomes(islands.size());
+  const auto solve = [&](std::ptrdiff_t k) {
+    const std::vector<int>& island = islands[static_cast<std::size_t>(k)];
+    const VecX r = impulses_of(whole.r, island);
+    if (!budget.allows(0) || !r.allFinite()) return;
+    const contact::ContactProblem part_problem = contact::select(problem, island);
+    outcomes[static_cast<std::size_t>(k)] =
+        solve_on_bodies(contact::PreparedProblem(part_problem), r, settings.shared, budget);
+  };
+  const auto first_large = std::partition_point(islands.begin(), islands.end(),
+                                                [](const auto& island) { return island.size() < k_large_on_bodies; });
+  const std::ptrdiff_t small = first_large - islands.begin();
+  parallel_pieces(small, settings.shared.threads, solve);
+  for (std::ptrdiff_t k = small; k < static_cast<std::ptrdiff_t>(islands.size()); ++k) solve(k);
+  LeftByBodies left;
   std::vector<double> history;
   int most = 0;
-  for (const std::vector<int>& island : islands) {
-    VecX r(contact::row_of(island.size()));
-    for (std::size_t i = 0; i < island.size(); ++i)
-      r.segment<3>(contact::row_of(i)) = whole.r.segment<3>(contact::row_of(island[i]));
-    std::optional<BodyOutcome> found;
-    if (budget.allows(0) && r.allFinite()) {
-      const contact::ContactProblem part_problem = contact::select(problem, island);
-      found = solve_on_bodies(contact::PreparedProblem(part_problem), r, shared, budget);
+  for (std::size_t k = 0; k < islands.size(); ++k) {
+    const std::optional<BodyOutcome>& found = outcomes[k];
+    const bool is_jam = found && static_cast<int>(islands[k].size()) >= settings.jam_contacts;
+    if (found) {
+      for (std::size_t i = 0; i < islands[k].size(); ++i)
+        whole.r.segment<3>(contact::row_of(islands[k][i])) = found->r.segment<3>(contact::row_of(i));
+      if (found->interior > 0) log.add("interior point", "iterations", found->interior);
+      if (found->newton > 0) log.add("newton on bodies", "factorisations", found->newton);
+      most = std::max(most, found->interior + found->newton);
+      merge_history(found->history, history);
+      if (found->has_converged) continue;
     }
-    if (!found || !found->has_converged) rest.push_back(island);
-    if (!found) continue;
-    for (std::size_t i = 0; i < island.size(); ++i)
-      whole.r.segment<3>(contact::row_of(island[i])) = found->r.segment<3>(contact::row_of(i));
-    if (found->interior > 0) log.add("interior point", "iterations", found->interior);
-    if (found->newton > 0) log.add("newton on bodies", "factorisations", found->newton);
-    most = std::max(most, found->interior + found->newton);
-    merge_history(found->history, history);
+    left.has_jam = left.has_jam || is_jam;
+    if (!is_jam) left.islands.push_back(std::move(islands[k]));
   }
   whole.iterations += most;
   whole.history.insert(whole.history.end(), history.begin(), history.end());
-  return rest;
+  return left;
 }
 
 /// Climbs for an island whose W is too large to be formed or factorised: more sweeps, then the projected gradient where
@@ -244,9 +272,7 @@ contact::SolveStatus solve_without_w(const contact::ContactProblem& problem, con
                                      contact::ContactSolution& whole) {
   const contact::ContactProblem part_problem = contact::select(problem, island);
   const contact::PreparedProblem part(part_problem);
-  VecX r(contact::row_of(island.size()));
-  for (std::size_t i = 0; i < island.size(); ++i)
-    r.segment<3>(contact::row_of(i)) = whole.r.segment<3>(contact::row_of(island[i]));
+  const VecX r = impulses_of(whole.r, island);
   const contact::SolverSettings& shared = settings.shared;
   contact::ContactSolution found =
       NsgsSolver({.shared = shared}).solve(part, r, budget.capped((budget.iterations() + 1) / 2));
@@ -323,8 +349,9 @@ contact::ContactSolution AutoSolver::solve(const contact::PreparedProblem& prepa
   }
   const double swept_map = contact::measure(prepared, swept.r).law_map_m_s;
   if (guess_map < swept_map || (std::isnan(swept_map) && std::isfinite(guess_map))) swept.r = guess;
-  auto islands = solve_each_on_bodies(problem, unsolved(prepared, swept.r, running.shared.tolerance), running.shared,
-                                      budget.after(swept.iterations), log, swept);
+  LeftByBodies unfinished = solve_each_on_bodies(problem, unsolved(prepared, swept.r, running.shared.tolerance),
+                                                 running, budget.after(swept.iterations), log, swept);
+  std::vector<std::vector<int>>& islands = unfinished.islands;
   const Budget left = budget.after(swept.iterations);
   const auto first_large = std::stable_partition(islands.begin(), islands.end(),
                                                  [&](const auto& i) { return contact::is_reducible(problem, i); });
@@ -339,6 +366,9 @@ contact::ContactSolution AutoSolver::solve(const contact::PreparedProblem& prepa
   solution.iterations += swept.iterations;
   if (large == contact::SolveStatus::numerical_error && solution.message.empty()) solution.message = swept.message;
   solution.status = contact::worse(solution.status, large);
+  if (unfinished.has_jam)
+    solution.status = contact::worse(
+        solution.status, left.allows(0) ? contact::SolveStatus::stalled : contact::SolveStatus::iteration_limit);
   solution.history.insert(solution.history.begin(), swept.history.begin(), swept.history.end());
   if (solution.status == contact::SolveStatus::converged &&
       !(contact::measure(prepared, solution.r).law_map_m_s <= tolerance))

@@ -8,12 +8,11 @@
 ///      jam that moved little since the last step then seldom needs a factorisation.
 ///      Where an island has 1500 contacts or more they are 20 in any case, since a jam seldom needs fewer than 250
 ///   2  for laws with cones and problems with bodies: interior point, then newton, on the bodies (body_ladder.h),
-///   without
-///      W; in jams, with mass ratios and force limits this is what solves
+///      without W; in jams, with mass ratios and force limits this is what solves. It is the last rung of islands of
+///      1500 contacts or more: the next ones find the same steps from W, at four times the cost
 ///   3  from cold and for laws that admm knows, where the sweeps of rung 1 left more than a hundredth of the residual
-///   of no
-///      impulses and three contacts in ten stick, as in tall stacks: admm from no impulses, one factorisation, as long
-///      as two iterations leave less than a fifth
+///      of no impulses and three contacts in ten stick, as in tall stacks: admm from no impulses, one factorisation, as
+///      long as two iterations leave less than a fifth
 ///   4  newton: little proximal weight for a local problem with a guess, else more
 ///   5  nsgs, 500 sweeps from the best so far, then newton with more weight
 ///   6  continuation in friction (continuation.h), for laws with friction
@@ -35,10 +34,10 @@ namespace nilas::solvers {
 struct AutoSettings {
   contact::SolverSettings shared;  ///< max_iterations counts sweeps and factorisations of an island together
   int first_sweeps = 20;
-  int warm_sweeps = 250;        ///< sweeps of rung 1 with bodies and a guess, at most half of all iterations
-  int jam_contacts = 1500;      ///< contacts of an island from which on long sweeps seldom suffice: then none has them
-  double stiff_share = 0.01;    ///< share of the residual of no impulses above which an island goes to rung 3 ...
-  double sticking_share = 0.3;  ///< ... where at least this share of its contacts sticks
+  int warm_sweeps = 250;          ///< sweeps of rung 1 with bodies and a guess, at most half of all iterations
+  int jam_contacts = 1500;        ///< contacts of an island from which on long sweeps and rungs on W are left out
+  double stiff_share = 0.01;      ///< share of the residual of no impulses above which an island goes to rung 3 ...
+  double sticking_share = 0.3;    ///< ... where at least this share of its contacts sticks
   double stiff_least_fall = 0.2;  ///< AdmmSettings::least_fall there
   int more_sweeps = 500;
   int first_factorisations = 80;   ///< factorisations of newton in rung 4 and after ipm

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -18,17 +19,30 @@ namespace {
 /// Newton's least proximal weight that its systems on bodies bear [-].
 constexpr double k_least_weight_on_bodies = 1e-9;
 
-/// A round of the ladder: the interior point hands over to Newton at a residual. Below 1e-5 m/s rounding often costs it
-/// more iterations than Newton needs, above it Newton has a longer search for the contacts that carry something. Where
-/// that search is long even so, the second round brings Newton nearer.
-struct LadderRound {
-  double handover;     ///< [m/s]
-  int factorisations;  ///< most of Newton
+/// Residuals at which the interior point hands over to Newton [m/s], and Newton's most factorisations. Below 1e-5 m/s
+/// rounding often costs the interior point more iterations than Newton needs, above it Newton has a longer search for
+/// the contacts that carry something. Where that search is long even so, the second handover brings Newton nearer.
+struct Handover {
+  double residual;
+  int factorisations;
 };
-constexpr LadderRound k_ladder_rounds[] = {{1e-5, 40}, {1e-6, 120}};
+constexpr Handover k_handovers[] = {{1e-5, 100}, {1e-6, 120}};
 
 /// With more friction than this on any contact a lagged shift converges slowly or not at all, and is left out [-].
 constexpr double k_most_lagged_friction = 0.2;
+constexpr InteriorSettings k_lagged{};
+
+/// Newton seldom finds the solution from a larger share of the residual of no impulses than this [-].
+constexpr double k_near = 0.1;
+
+/// Ways to the solution with the slope of the shift, each tried where those before failed. Above 1 - 1/g, with g > 1 an
+/// eigenvalue of the map from shift to shift, the whole slope would point a step away from the solution, and such g
+/// occur in jams. Loads of a jam that is about to lock are many times those of the step before. They are found from
+/// farther inside the cones, since steps are longer there. No share of the slope is best for all of them.
+constexpr InteriorSettings k_with_slope[] = {{Shift::differentiated, 0.7, 1, 20},
+                                             {Shift::differentiated, 0.5, 100, 20},
+                                             {Shift::differentiated, 0.3, 20, 20},
+                                             {Shift::differentiated, 0.85, 100, 20}};
 
 /// One solve of the ladder.
 class BodyClimb {
@@ -41,17 +55,20 @@ class BodyClimb {
         interior_(island, bodies, plan),
         system_(island, bodies, plan),
         start_(start) {
+    still_ = contact::measure(island, VecX::Zero(start_.size())).law_map_m_s;
     best_.r = start_;
     best_.law_map_m_s = contact::measure(island, start_).law_map_m_s;
     if (!std::isfinite(best_.law_map_m_s)) best_.law_map_m_s = std::numeric_limits<double>::infinity();
   }
 
   BodyOutcome run() {
-    for (const LadderRound& round : k_ladder_rounds) {
-      if (is_done()) break;
-      approach(std::max(settings_.tolerance, round.handover));
-      if (!is_done()) finish(round.factorisations);
-    }
+    const contact::ContactProblem& problem = island_.problem();
+    const bool is_convex = problem.law != Law::coulomb;
+    const auto is_slight = [](double mu) { return mu <= k_most_lagged_friction; };
+    if (is_convex || std::all_of(problem.mu.begin(), problem.mu.end(), is_slight)) approach(start_, k_lagged);
+    if (!is_convex)
+      // a start that the first run did not come from is no better than none for the next
+      for (const InteriorSettings& way : k_with_slope) approach(VecX::Zero(start_.size()), way);
     best_.has_converged = best_.law_map_m_s <= settings_.tolerance;
     return std::move(best_);
   }
@@ -72,39 +89,34 @@ class BodyClimb {
     if (settings_.keep_history) best_.history.insert(best_.history.end(), history.begin(), history.end());
   }
 
-  /// Returns whether the run reached its goal.
-  bool keep(const InteriorOnBodies::Outcome& found, double goal) {
-    best_.interior += found.iterations;
-    note(found.history);
-    keep_better(found.r);
-    return found.law_map_m_s <= goal;
+  /// The interior point from a start, and Newton from where it ends; the second time from nearer, where the interior
+  /// point got as far as it was asked to. Newton is left out where the interior point ended far from the solution.
+  void approach(const VecX& start, const InteriorSettings& way) {
+    bool goes_on = true;
+    for (const Handover& handover : k_handovers) {
+      if (is_done() || !goes_on) return;
+      const double goal = std::max(settings_.tolerance, handover.residual);
+      VecX near = best_.r;
+      if (best_.law_map_m_s > goal) {
+        const bool is_first = &handover == k_handovers;
+        auto found = is_first ? interior_.run(start, goal, left(), way) : interior_.go_on(goal, left());
+        goes_on = found.law_map_m_s <= goal;
+        best_.interior += found.iterations;
+        note(found.history);
+        keep_better(found.r);
+        const bool is_last = &way == std::prev(std::end(k_with_slope));
+        if (!is_last && !(found.law_map_m_s < k_near * still_)) return;
+        near = std::move(found.r);
+      }
+      if (!is_done()) finish(near, handover.factorisations);
+    }
   }
 
-  void approach(double goal) {
-    if (best_.law_map_m_s <= goal) return;
-    if (goes_on_) {
-      goes_on_ = keep(interior_.go_on(goal, left()), goal);
-      return;
-    }
-    const contact::ContactProblem& problem = island_.problem();
-    const bool is_convex = problem.law != Law::coulomb;
-    const auto is_slight = [](double mu) { return mu <= k_most_lagged_friction; };
-    if (!has_lagged_ && (is_convex || std::all_of(problem.mu.begin(), problem.mu.end(), is_slight))) {
-      has_lagged_ = true;
-      goes_on_ = keep(interior_.run(start_, goal, left(), Shift::lagged), goal);
-      if (goes_on_ || is_done()) return;
-    }
-    if (is_convex || has_differentiated_) return;
-    has_differentiated_ = true;
-    // a start that the first run did not come from is no better than none for the second
-    goes_on_ = keep(interior_.run(VecX::Zero(start_.size()), goal, left(), Shift::differentiated), goal);
-  }
-
-  void finish(int factorisations) {
+  void finish(const VecX& near, int factorisations) {
     NewtonSettings settings{.shared = settings_};
     settings.least_weight = k_least_weight_on_bodies;
     settings.max_factorisations = factorisations;
-    const auto found = newton_on(system_, best_.r, settings, left());
+    const auto found = newton_on(system_, near, settings, left());
     best_.newton += found.iterations;
     note(found.history);
     keep_better(found.r);
@@ -116,8 +128,7 @@ class BodyClimb {
   InteriorOnBodies interior_;
   BodySystem system_;
   const VecX& start_;
-  bool has_lagged_ = false, has_differentiated_ = false;
-  bool goes_on_ = false;  ///< the last run of the interior point reached its goal, and can go on from there
+  double still_ = 0;  ///< residual of no impulses [m/s]
   BodyOutcome best_;
 };
 

@@ -116,33 +116,6 @@ NILAS_WIDE_CLONES void correct_all(std::ptrdiff_t count, Read p, const double* b
   }
 }
 
-NILAS_WIDE_CLONES void recentre_all(std::ptrdiff_t count, Read p, const double* b, Read l, Read dx, Read dy, double t,
-                                    double least, double most, Written g) {
-  NILAS_INDEPENDENT
-  for (std::ptrdiff_t c = 0; c < count; ++c) {
-    const Scaled sx = times_one(1 / b[c], p.n[c], -p.t1[c], -p.t2[c], dx.n[c], dx.t1[c], dx.t2[c]);
-    const Scaled sy = times_one(b[c], p.n[c], p.t1[c], p.t2[c], dy.n[c], dy.t1[c], dy.t2[c]);
-    const double xn = l.n[c] + t * sx.n, x1 = l.t1[c] + t * sx.t1, x2 = l.t2[c] + t * sx.t2;
-    const double yn = l.n[c] + t * sy.n, y1 = l.t1[c] + t * sy.t1, y2 = l.t2[c] + t * sy.t2;
-    const double vn = xn * yn + (x1 * y1 + x2 * y2), v1 = xn * y1 + yn * x1, v2 = xn * y2 + yn * x2;
-    const double vt = std::sqrt(v1 * v1 + v2 * v2), inverse_t = vt > 0 ? 1 / vt : 0;
-    const double low = vn - vt, high = vn + vt;
-    const double low_in = low < least ? least : low > most ? most : low;
-    const double high_in = high < least ? least : high > most ? most : high;
-    double low_off = low_in - low, high_off = high_in - high;
-    low_off = low_off < -most ? -most : low_off;
-    high_off = high_off < -most ? -most : high_off;
-    const double rn = 0.5 * (high_off + low_off), rt = 0.5 * (high_off - low_off) * inverse_t;
-    const double r1 = rt * v1, r2 = rt * v2;
-    const double lt = std::sqrt(l.t1[c] * l.t1[c] + l.t2[c] * l.t2[c]);
-    const double det = (l.n[c] - lt) * (l.n[c] + lt), inverse = 1 / l.n[c];
-    const double first = (l.n[c] * rn - (l.t1[c] * r1 + l.t2[c] * r2)) / det;
-    g.n[c] += first;
-    g.t1[c] += (r1 - first * l.t1[c]) * inverse;
-    g.t2[c] += (r2 - first * l.t2[c]) * inverse;
-  }
-}
-
 /// Fills `longest` with the step of each contact to its boundary, beyond all numbers where there is none.
 NILAS_WIDE_CLONES void steps_to_boundary(std::ptrdiff_t count, Read x, Read dx, double* longest) {
   NILAS_INDEPENDENT
@@ -188,11 +161,6 @@ void to_primal(const ConeScaling& scaling, const ContactVectors& g, const Contac
 void corrected(const ConeScaling& scaling, const ContactVectors& dx, const ContactVectors& dy, double target,
                ContactVectors& g) {
   correct_all(size_of(dx), scaling.p, scaling.b.data(), scaling.scaled, dx, dy, target, g);
-}
-
-void recentre(const ConeScaling& scaling, const ContactVectors& dx, const ContactVectors& dy, double t, double least,
-              double most, ContactVectors& g) {
-  recentre_all(size_of(dx), scaling.p, scaling.b.data(), scaling.scaled, dx, dy, t, least, most, g);
 }
 
 double longest_step(const ContactVectors& x, const ContactVectors& dx) {

@@ -30,11 +30,6 @@ void to_primal(const ConeScaling& scaling, const ContactVectors& g, const Contac
 void corrected(const ConeScaling& scaling, const ContactVectors& dx, const ContactVectors& dy, double target,
                ContactVectors& g);
 
-/// g += l \ (P(v) - v), v = (T^-1 (x + t dx)) o (T (y + t dy)): what brings the products after a step t back between
-/// `least` and `most` (Gondzio 1996). P clips the two eigenvalues of each cone.
-void recentre(const ConeScaling& scaling, const ContactVectors& dx, const ContactVectors& dy, double t, double least,
-              double most, ContactVectors& g);
-
 /// Largest t <= 1 with x + t dx inside all cones.
 double longest_step(const ContactVectors& x, const ContactVectors& dx);
 /// sum of (x + t dx) . (y + t dy)

@@ -12,23 +12,9 @@ namespace nilas::solvers {
 
 namespace {
 
-/// The first iterate lies inside the cones by this share of the start's residual.
-constexpr double k_inside_lagged = 0.25;
 /// Share of the distance to the boundary that a step takes.
 constexpr double k_share_to_boundary = 0.99;
-/// The same where the shift is differentiated, whose steps are longer when they start farther from the boundary.
-constexpr double k_inside_differentiated = 1;
-/// Share of the slope of the shift that enters a step. Above 1 - 1/g, with g > 1 an eigenvalue of the map from shift to
-/// shift, the whole slope would point the step away from the solution; such g occur in jams.
-constexpr double k_slope_share = 0.7;
-/// Iterations without the residual halving that end a run.
-constexpr int k_patience_lagged = 8, k_patience_differentiated = 12;
-/// Corrections towards the central path per iteration: they cost a solve each and no factorisation. One aims at a step
-/// longer by k_more_step_share and k_more_step, with products between k_least_product and 1/k_least_product times the
-/// target, and counts when the step grows by a tenth of k_more_step at least. Source: Gondzio 1996.
-constexpr int k_corrections_lagged = 2, k_corrections_differentiated = 1;
-constexpr double k_more_step_share = 1.2, k_more_step = 0.3, k_least_product = 0.1, k_long_enough = 0.9;
-constexpr int k_most_interior = 60;
+constexpr int k_most_interior = 100;
 constexpr double k_least_centring = 1e-3;
 /// A cone cut at its apex has no inside: limits count as at least this share of the largest impulse to stop a contact.
 constexpr double k_least_limit = 1e-10;
@@ -145,7 +131,7 @@ void InteriorOnBodies::find_off() {
     const double mu = friction_[c], sn = slope_n_[c], st = slope_t_[c];
     const Vec3 u = u_.at(c);
     const double t = contact::tangential_norm(u), shift = shifts ? mu * t : 0;
-    const double slope = shifts && t > 0 ? k_slope_share * sn * mu / t : 0;
+    const double slope = shifts && t > 0 ? settings_.slope_share * sn * mu / t : 0;
     along_1_[c] = slope * u[1];
     along_2_[c] = slope * u[2];
     r_y_.row[0][c] = y_.row[0][c] - sn * (u[0] + shift);
@@ -163,7 +149,7 @@ void InteriorOnBodies::begin(const VecX& start) {
     y_.set(c, Vec3::Zero());
   }
   find_motion(z_, u_);
-  const double inside = (shift_ == Shift::lagged ? k_inside_lagged : k_inside_differentiated) * find_map();
+  const double inside = settings_.inside * find_map();
   for (std::size_t c = 0; c < count_; ++c) {
     const double sn = slope_n_[c], st = slope_t_[c];
     const Vec3 u = u_.at(c);
@@ -209,7 +195,7 @@ bool InteriorOnBodies::factor() {
     g_matrix_.entry[4][c] = tt * q[4][c];
     g_matrix_.entry[5][c] = tt * q[5][c];
   }
-  if (shift_ == Shift::lagged) return cholesky_.factor(g_matrix_);
+  if (settings_.shift == Shift::lagged) return cholesky_.factor(g_matrix_);
   std::vector<Mat3> g(count_);
   for (std::size_t c = 0; c < count_; ++c) {
     const auto& e = g_matrix_.entry;
@@ -234,14 +220,14 @@ void InteriorOnBodies::find_direction(Direction& d) {
   for (std::size_t k = 0; k < z_.size(); ++k)
     for (int i = 0; i < k_node_width; ++i) d.z[k].value[i] = -r_z_[k].value[i];
   bodies_.add_impulses(work_, d.z);
-  if (shift_ == Shift::lagged)
+  if (settings_.shift == Shift::lagged)
     cholesky_.solve(d.z);
   else
     lu_->solve(d.z);
   bodies_.relative_velocities(d.z, d.u);
   for (std::size_t c = 0; c < count_; ++c) {
     double dy_n = slope_n_[c] * d.u.row[0][c];
-    if (shift_ == Shift::differentiated) dy_n += along_1_[c] * d.u.row[1][c] + along_2_[c] * d.u.row[2][c];
+    if (settings_.shift == Shift::differentiated) dy_n += along_1_[c] * d.u.row[1][c] + along_2_[c] * d.u.row[2][c];
     d.y.row[0][c] = dy_n - r_y_.row[0][c];
     d.y.row[1][c] = slope_t_[c] * d.u.row[1][c] - r_y_.row[1][c];
     d.y.row[2][c] = slope_t_[c] * d.u.row[2][c] - r_y_.row[2][c];
@@ -298,35 +284,6 @@ void InteriorOnBodies::aim(const Direction& predictor, double target) {
     line_[i] = target - slack_[i] * multiplier_[i] - predictor.slack[i] * predictor.multiplier[i];
 }
 
-/// Changes the right sides and the direction towards the central path as long as that lengthens the step. Returns the
-/// longest step.
-double InteriorOnBodies::correct(Direction& d, double target) {
-  double reached = longest(d);
-  const int most = shift_ == Shift::lagged ? k_corrections_lagged : k_corrections_differentiated;
-  for (int k = 0; k < most && reached < k_long_enough; ++k) {
-    const double t = std::min(1.0, k_more_step_share * reached + k_more_step);
-    const double least = k_least_product * target, largest = target / k_least_product;
-    const ContactVectors g = g_;
-    const std::vector<double> line = line_;
-    Direction better = d;
-    recentre(scaling_, d.x, d.y, t, least, largest, g_);
-    for (std::size_t i = 0; i < capped_.size(); ++i) {
-      const double product = (slack_[i] + t * d.slack[i]) * (multiplier_[i] + t * d.multiplier[i]);
-      line_[i] += std::max(std::clamp(product, least, largest) - product, -largest);
-    }
-    find_direction(better);
-    const double now = longest(better);
-    if (now < reached + k_least_product * k_more_step) {
-      g_ = g;
-      line_ = line;
-      break;
-    }
-    reached = now;
-    d = std::move(better);
-  }
-  return reached;
-}
-
 void InteriorOnBodies::move_by(const Direction& d, double t) {
   move(d.x, t, x_);
   move(d.y, t, y_);
@@ -346,9 +303,9 @@ void InteriorOnBodies::move_by(const Direction& d, double t) {
 }
 
 InteriorOnBodies::Outcome InteriorOnBodies::run(const VecX& start, double tolerance, const Budget& budget,
-                                                Shift shift) {
-  shift_ = shift;
-  if (shift == Shift::differentiated && !lu_) lu_.emplace(bodies_, plan_);
+                                                const InteriorSettings& settings) {
+  settings_ = settings;
+  if (settings.shift == Shift::differentiated && !lu_) lu_.emplace(bodies_, plan_);
   begin(start);
   return go_on(tolerance, budget);
 }
@@ -358,7 +315,6 @@ InteriorOnBodies::Outcome InteriorOnBodies::go_on(double tolerance, const Budget
   Outcome best{impulses(), infinity, 0, {}};
   Direction d(count_, capped_.size(), z_.size());
   const auto pairs = static_cast<double>(count_ + capped_.size());
-  const int patience = shift_ == Shift::lagged ? k_patience_lagged : k_patience_differentiated;
   double marked = infinity;
   int marked_at = 0;
   while (true) {
@@ -372,7 +328,7 @@ InteriorOnBodies::Outcome InteriorOnBodies::go_on(double tolerance, const Budget
       marked = best.law_map_m_s;
       marked_at = best.iterations;
     }
-    const bool waits = best.iterations - marked_at >= patience || best.iterations >= k_most_interior;
+    const bool waits = best.iterations - marked_at >= settings_.patience || best.iterations >= k_most_interior;
     if (!(map > tolerance) || waits || !budget.allows(best.iterations)) break;
     find_off();
     ++best.iterations;
@@ -386,7 +342,7 @@ InteriorOnBodies::Outcome InteriorOnBodies::go_on(double tolerance, const Budget
     const double target = std::clamp(share * share * share, k_least_centring, 1.0) * before / pairs;
     aim(d, target);
     find_direction(d);
-    move_by(d, k_share_to_boundary * correct(d, target));
+    move_by(d, k_share_to_boundary * longest(d));
   }
   return best;
 }

@@ -13,7 +13,7 @@
 /// with r_y what y is off, g the right side in the scaled point, l = (right side of s m)/s, and 6 x 6 blocks of the
 /// bodies (node_cholesky.h).
 ///
-/// One factorisation per iteration and two to four solves: Gondzio's corrections lengthen short steps. A jam of 966
+/// One factorisation per iteration and two solves. Gondzio's corrections took as much time as they saved. A jam of 966
 /// floes and friction 0.15 takes some 12 iterations to 1e-4 m/s and 20 to 1e-5 m/s, with or without a guess. u and z
 /// move with the steps, so that r_y keeps the digits of numbers near the end of a cone; r_z = z - z_free - sum J^T S x,
 /// what rounding leaves, enters the next step, and residuals are those of the velocities that the impulses give.
@@ -22,7 +22,7 @@
 /// gap for a residual: Newton goes on from there (body_system.h), and finds its active set in few steps, because an
 /// interior point is centred among redundant contacts.
 ///
-/// Sources: De Saxce, Feng 1998; Nesterov, Todd 1998; Mehrotra 1992; Gondzio 1996; Acary, Cadoux, Lemarechal, Malick
+/// Sources: De Saxce, Feng 1998; Nesterov, Todd 1998; Mehrotra 1992; Acary, Cadoux, Lemarechal, Malick
 /// 2011. Laws: coulomb, ccp and frictionless.
 #include <optional>
 
@@ -32,8 +32,16 @@
 
 namespace nilas::solvers {
 
-/// How a step takes the shift mu |u_T|: as it is, or with its slope.
+/// How a step takes the shift mu |u_T|: as it is, or with a share of its slope.
 enum class Shift { lagged, differentiated };
+
+/// The settings of a run.
+struct InteriorSettings {
+  Shift shift = Shift::lagged;
+  double slope_share = 0;  ///< of the slope of the shift that enters a step, for a differentiated shift
+  double inside = 0.25;    ///< the first iterate lies inside the cones by this share of the start's residual
+  int patience = 8;        ///< iterations without the residual halving that end the run
+};
 
 class InteriorOnBodies {
  public:
@@ -48,7 +56,7 @@ class InteriorOnBodies {
   };
   /// Runs from impulses (any, moved inside the cones first) until the residual is at most `tolerance` [m/s], it has not
   /// halved for some iterations, rounding ends it, or the budget is used up.
-  Outcome run(const VecX& start, double tolerance, const Budget& budget, Shift shift);
+  Outcome run(const VecX& start, double tolerance, const Budget& budget, const InteriorSettings& settings);
   /// Goes on from where the last run ended.
   Outcome go_on(double tolerance, const Budget& budget);
 
@@ -70,7 +78,6 @@ class InteriorOnBodies {
   double longest(const Direction& d) const;
   double gap(const Direction& d, double t) const;
   void aim(const Direction& predictor, double target);
-  double correct(Direction& d, double target);
   void move_by(const Direction& d, double t);
   double stiffness(std::size_t c) const;
   struct Yield {
@@ -85,7 +92,7 @@ class InteriorOnBodies {
   const NodePlan& plan_;
   NodeCholesky cholesky_;
   std::optional<NodeLu> lu_;  ///< made when first needed
-  Shift shift_ = Shift::lagged;
+  InteriorSettings settings_;
   std::vector<double> along_1_, along_2_;         ///< slope of the shift, S_0 mu u_T/|u_T|
   std::size_t count_;                             ///< contacts
   std::vector<double> friction_;                  ///< mu, 0 for the law frictionless

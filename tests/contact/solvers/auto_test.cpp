@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <numeric>
 
+#include "contact/problem/islands.h"
 #include "contact/problem/row_of.h"
 #include "contact/solvers/nsgs.h"
 #include "tests/contact/fclib/recorded_problems.h"
@@ -60,6 +61,32 @@ TEST(Auto, GoesToTheBodiesWhereSweepsDoNotSuffice) {
 }
 
 /// Islands do not pay for each other: many alike cost the iterations of one.
+/// Rungs on W would find the steps of the bodies again, at several times their cost. No solve reaches a tolerance of
+/// zero, so every rung that is left gets its turn.
+TEST(Auto, LeavesLargeIslandsToTheBodies) {
+  const contact::ContactProblem raft = test::raft(20, 0.3, 1, 1);
+  ASSERT_GE(raft.num_contacts(), AutoSettings{}.jam_contacts);
+  const contact::ContactSolution found =
+      AutoSolver({.shared = {.tolerance = 0, .max_iterations = 400}}).solve(raft, VecX());
+  EXPECT_EQ(found.status, contact::SolveStatus::iteration_limit);
+  EXPECT_LE(contact::measure(raft, found.r).law_map_m_s, 1e-6);
+  EXPECT_NE(found.message.find("newton on bodies"), std::string::npos) << found.message;
+  for (const char* rung : {"more nsgs", "wary newton", "friction continuation", "ipm"})
+    EXPECT_EQ(found.message.find(rung), std::string::npos) << found.message;
+}
+
+TEST(Auto, SameBitsWithTwoThreads) {
+  const contact::ContactProblem heap = test::random_heap(3, 200, 160, 0.3);
+  ASSERT_GT(contact::find_islands(heap).size(), 5u);
+  const auto with = [&](int threads) {
+    return AutoSolver({.shared = {.tolerance = 1e-9, .threads = threads}}).solve(heap, VecX());
+  };
+  const contact::ContactSolution one = with(1), two = with(2);
+  EXPECT_NE(one.message.find("bodies"), std::string::npos) << one.message;
+  EXPECT_EQ(one.message, two.message);
+  EXPECT_EQ(one.r, two.r);
+}
+
 TEST(Auto, EveryIslandHasTheWholeBudget) {
   const contact::ContactProblem stack = test::box_stack(std::vector<double>(12, 5.0), 0.4);
   contact::ContactProblem many;

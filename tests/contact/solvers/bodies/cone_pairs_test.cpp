@@ -68,23 +68,6 @@ TEST(ConePairs, RightSidesAreThoseOfTheAlgebra) {
   }
 }
 
-/// Products between the bounds are left alone, and those beyond are brought back.
-TEST(ConePairs, RecentringMovesOnlyProductsBeyondTheBounds) {
-  const ContactVectors x = points(1), y = points(2), none(k_count);
-  ConeScaling scaling(k_count);
-  ASSERT_TRUE(scale(x, y, scaling));
-  ContactVectors g(k_count);
-  recentre(scaling, none, none, 1, 1e-30, 1e30, g);
-  for (std::size_t c = 0; c < k_count; ++c) EXPECT_LT(g.at(c).norm(), 1e-15);
-  constexpr double least = 1e3;
-  recentre(scaling, none, none, 1, least, 2 * least, g);
-  for (std::size_t c = 1; c < k_count; ++c) {
-    if (c % 5 == 0) continue;
-    const Vec3 l = scaling.scaled.at(c), moved = jordan_product(l, l) + jordan_product(l, g.at(c));
-    EXPECT_NEAR(cone_margin(moved), least, 1e-6 * least) << c;
-  }
-}
-
 TEST(ConePairs, LongestStepIsThatOfTheNearestCone) {
   const ContactVectors x = points(1), dx = directions(7);
   double expected = 1;

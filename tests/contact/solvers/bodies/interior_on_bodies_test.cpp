@@ -11,12 +11,13 @@
 namespace nilas::solvers {
 namespace interior_on_bodies_test {
 
-InteriorOnBodies::Outcome run(const contact::ContactProblem& problem, double tolerance, Shift shift) {
+InteriorOnBodies::Outcome run(const contact::ContactProblem& problem, double tolerance,
+                              const InteriorSettings& settings) {
   const contact::PreparedProblem prepared(problem);
   const BodyIsland bodies(prepared);
   const auto plan = plan_nodes(bodies);
   InteriorOnBodies interior(prepared, bodies, plan.value());
-  return interior.run(VecX::Zero(3 * problem.num_contacts()), tolerance, Budget({}), shift);
+  return interior.run(VecX::Zero(3 * problem.num_contacts()), tolerance, Budget({}), settings);
 }
 
 /// Where rounding ends the method, as a share of the speeds.
@@ -43,7 +44,7 @@ TEST(InteriorOnBodies, SolvesConvexLawsInFewIterations) {
       problem.law = law;
       make_yielding(problem);
       const double tolerance = tolerance_for(problem);
-      const auto found = run(problem, tolerance, Shift::lagged);
+      const auto found = run(problem, tolerance, {});
       EXPECT_LE(found.law_map_m_s, tolerance) << static_cast<int>(law) << " " << seed;
       EXPECT_LE(found.iterations, 30) << static_cast<int>(law) << " " << seed;
       EXPECT_NEAR(contact::measure(problem, found.r).law_map_m_s, found.law_map_m_s, 1e-12);
@@ -55,7 +56,7 @@ TEST(InteriorOnBodies, KeepsTheDigitsOfLimits) {
   contact::ContactProblem problem = test::largest_island(test::box_stack(test::growing_masses(6, 1e4), 0.4));
   problem.law = Law::ccp;
   for (std::size_t c = 0; c < problem.pairs.size(); ++c) problem.force_limit[c] = c % 4 == 3 ? 1e-8 : 1e4;
-  EXPECT_LE(run(problem, 1e-6, Shift::lagged).law_map_m_s, 1e-6);
+  EXPECT_LE(run(problem, 1e-6, {}).law_map_m_s, 1e-6);
 }
 
 TEST(InteriorOnBodies, BothShiftsLeadToCoulombsLaw) {
@@ -64,8 +65,8 @@ TEST(InteriorOnBodies, BothShiftsLeadToCoulombsLaw) {
       contact::ContactProblem problem = test::largest_island(test::heap_with_vessel(seed, 9, 20, 0.15));
       if (yields) make_yielding(problem);
       const double tolerance = tolerance_for(problem);
-      for (const Shift shift : {Shift::lagged, Shift::differentiated})
-        EXPECT_LE(contact::measure(problem, run(problem, tolerance, shift).r).law_map_m_s, 1.001 * tolerance)
+      for (const InteriorSettings& settings : {InteriorSettings{}, InteriorSettings{Shift::differentiated, 0.7, 1, 20}})
+        EXPECT_LE(contact::measure(problem, run(problem, tolerance, settings).r).law_map_m_s, 1.001 * tolerance)
             << seed << (yields ? " with limits" : "");
     }
 }
@@ -73,11 +74,11 @@ TEST(InteriorOnBodies, BothShiftsLeadToCoulombsLaw) {
 /// Units carry no meaning: masses a million times as large leave the velocities and the number of iterations alone.
 TEST(InteriorOnBodies, IterationsDoNotDependOnTheScaleOfMasses) {
   contact::ContactProblem problem = test::largest_island(test::heap_with_vessel(5, 9, 20, 0.15));
-  const auto light = run(problem, 1e-6, Shift::lagged);
+  const auto light = run(problem, 1e-6, {});
   const double scale = std::ldexp(1.0, 20);
   for (double& m : problem.mass_data) m *= scale;
   problem.f *= scale;
-  const auto heavy = run(problem, 1e-6, Shift::lagged);
+  const auto heavy = run(problem, 1e-6, {});
   EXPECT_EQ(heavy.iterations, light.iterations);
   EXPECT_LT((heavy.r - scale * light.r).norm(), 1e-9 * heavy.r.norm());
 }
