@@ -20,6 +20,7 @@ struct TouchingBody {
 /// A step's contact problem and its solution. For a step cut into substeps: those of the last substep with contacts.
 struct SolvedProblem {
   ContactProblem problem;
+  VecX guess;  ///< impulses that the solver began with, empty without a warm start [N s]
   ContactSolution solution;
   std::vector<detect::ContactPoint> points;           ///< the contact points, at the poses where they were found
   std::vector<std::array<TouchingBody, 2>> touching;  ///< bodies a and b of each point

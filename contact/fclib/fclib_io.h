@@ -7,8 +7,7 @@
 ///
 /// Each of these groups also has info/{title,description,math_info}. A file holds one of them, and beside it
 /// /solution/r and /guesses/1/r where it has impulses. Those that are all zero are placeholders and count as absent.
-/// Solutions are written with their velocities: /solution/u, and /solution/v in the global forms. Guesses are only
-/// read.
+/// Solutions are written with their velocities: /solution/u, and /solution/v in the global forms.
 ///
 /// FCLIB has no place for a coefficient of static friction, a force limit and compliances. They lie in
 /// vectors/{mu_static,force_limit,compliance,tangential_compliance}. Such a list is left out where all its values are
@@ -41,7 +40,7 @@ struct FclibProblem {
 /// can move, W or M with an asymmetry above 1e-2.
 FclibProblem read_fclib(const std::filesystem::path& path);
 
-/// Writes a problem, and a solution where one is given. Throws FileError, InputError for spinning friction, which FCLIB
+/// Writes a problem with its guess where it has one, and a solution where one is given. Throws FileError, InputError for spinning friction, which FCLIB
 /// has no row for.
 void write_fclib(const std::filesystem::path& path, const FclibProblem& problem, const ContactSolution* solution);
 void write_fclib(const std::filesystem::path& path, const LocalProblem& problem, const ContactSolution* solution);

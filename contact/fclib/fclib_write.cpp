@@ -167,10 +167,24 @@ void add_solution(hdf5::Hdf5Writer& file, const Problem& problem, const ContactS
 }
 
 template <class Problem>
+void add_guess(hdf5::Hdf5Writer& file, const Problem& problem, const VecX& guess) {
+  file.add_group("guesses");
+  file.add_group("guesses/1");
+  if constexpr (std::is_same_v<Problem, ContactProblem>) {
+    if (problem.has_moments()) {
+      file.add("guesses/1/r", RollingRows::of(problem).impulses_for_file(guess));
+      return;
+    }
+  }
+  file.add("guesses/1/r", guess);
+}
+
+template <class Problem>
 void write(const std::filesystem::path& path, const Problem& problem, const std::vector<int>& row_of,
-           const Labels& labels, const ContactSolution* solution) {
+           const Labels& labels, const std::optional<VecX>& guess, const ContactSolution* solution) {
   hdf5::Hdf5Writer file;
   add_problem(file, problem, row_of, labels);
+  if (guess) add_guess(file, problem, *guess);
   if (solution) add_solution(file, problem, *solution, row_of);
   file.save(path);
 }
@@ -180,19 +194,19 @@ void write(const std::filesystem::path& path, const Problem& problem, const std:
 void write_fclib(const std::filesystem::path& path, const FclibProblem& problem, const ContactSolution* solution) {
   std::visit(
       [&](const auto& form) {
-        write(path, form, problem.dof_of_file, {problem.title, problem.description}, solution);
+        write(path, form, problem.dof_of_file, {problem.title, problem.description}, problem.guess, solution);
       },
       problem.problem);
 }
 
 void write_fclib(const std::filesystem::path& path, const LocalProblem& problem, const ContactSolution* solution) {
-  write(path, problem, {}, {path.stem().string(), ""}, solution);
+  write(path, problem, {}, {path.stem().string(), ""}, {}, solution);
 }
 
 void write_fclib(const std::filesystem::path& path, const ContactProblem& problem, const ContactSolution* solution) {
   std::vector<int> as_is(problem.num_velocities());
   std::iota(as_is.begin(), as_is.end(), 0);
-  write(path, problem, as_is, {path.stem().string(), ""}, solution);
+  write(path, problem, as_is, {path.stem().string(), ""}, {}, solution);
 }
 
 }  // namespace nilas::contact

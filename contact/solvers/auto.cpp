@@ -294,17 +294,17 @@ contact::SolveStatus solve_without_w(const contact::ContactProblem& problem, con
   return found.status;
 }
 
-/// Returns the budget of the first sweeps of a problem with bodies.
-Budget first_rung(const contact::PreparedProblem& prepared, bool cold, const AutoSettings& settings,
-                  const Budget& budget) {
-  if (prepared.problem().has_moments()) return budget;  // with moments the ladder has one rung
-  const auto is_jam = [&](const auto& island) { return static_cast<int>(island.size()) >= settings.jam_contacts; };
-  const bool has_jam = known_to_admm_and_ipm(prepared.problem().law) &&
-                       std::any_of(prepared.islands().begin(), prepared.islands().end(), is_jam);
-  int sweeps = settings.first_sweeps;
+/// The first sweeps of a problem with bodies. With a guess they go on as long as they promise to suffice.
+contact::ContactSolution first_rung(const contact::PreparedProblem& prepared, const VecX& guess,
+                                    const AutoSettings& settings, const Budget& budget) {
+  NsgsSettings sweeps{.shared = settings.shared};
+  if (prepared.problem().has_moments())  // the ladder has one rung
+    return NsgsSolver(sweeps).solve(prepared, guess, budget);
+  const bool cold = is_cold(guess);
   // half of the iterations is left for the next rungs
-  if (!cold && !has_jam) sweeps = std::max(sweeps, std::min(settings.warm_sweeps, budget.iterations() / 2));
-  return budget.capped(sweeps);
+  const int warm = std::max(settings.first_sweeps, std::min(settings.warm_sweeps, budget.iterations() / 2));
+  if (!cold) sweeps.horizon = warm;
+  return NsgsSolver(sweeps).solve(prepared, guess, budget.capped(cold ? settings.first_sweeps : warm));
 }
 
 /// Writes the message: first the failure, then the rungs used.
@@ -340,8 +340,7 @@ contact::ContactSolution AutoSolver::solve(const contact::PreparedProblem& prepa
   running.shared = with_margin(settings_.shared);
   const Budget budget(settings_.shared);
   Log log;
-  contact::ContactSolution swept =
-      NsgsSolver({.shared = running.shared}).solve(prepared, guess, first_rung(prepared, cold, settings_, budget));
+  contact::ContactSolution swept = first_rung(prepared, guess, running, budget);
   log.add("nsgs", "sweeps", swept.iterations);
   if (swept.status == contact::SolveStatus::converged || problem.has_moments()) {
     describe(log, swept);

@@ -4,9 +4,8 @@
 ///
 ///   0  the guess itself, measured
 ///   1  nsgs, 20 sweeps: enough for loose contact, and the state of most contacts for the next rung. Problems with
-///      bodies are swept on their velocities, without W; only what is left is reduced to W. With a guess 250 sweeps: a
-///      jam that moved little since the last step then seldom needs a factorisation.
-///      Where an island has 1500 contacts or more they are 20 in any case, since a jam seldom needs fewer than 250
+///      bodies are swept on their velocities, without W; only what is left is reduced to W. With a guess up to 250
+///      sweeps, as long as they promise to suffice (SweepSettings::horizon)
 ///   2  for laws with cones and problems with bodies: interior point, then newton, on the bodies (body_ladder.h),
 ///      without W; in jams, with mass ratios and force limits this is what solves. It is the last rung of islands of
 ///      1500 contacts or more: the next ones find the same steps from W, at four times the cost
@@ -35,7 +34,7 @@ struct AutoSettings {
   contact::SolverSettings shared;  ///< max_iterations counts sweeps and factorisations of an island together
   int first_sweeps = 20;
   int warm_sweeps = 250;          ///< sweeps of rung 1 with bodies and a guess, at most half of all iterations
-  int jam_contacts = 1500;        ///< contacts of an island from which on long sweeps and rungs on W are left out
+  int jam_contacts = 1500;        ///< contacts of an island from which on the rungs on W are left out
   double stiff_share = 0.01;      ///< share of the residual of no impulses above which an island goes to rung 3 ...
   double sticking_share = 0.3;    ///< ... where at least this share of its contacts sticks
   double stiff_least_fall = 0.2;  ///< AdmmSettings::least_fall there

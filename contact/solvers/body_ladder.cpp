@@ -90,26 +90,28 @@ class BodyClimb {
   }
 
   /// The interior point from a start, and Newton from where it ends; the second time from nearer, where the interior
-  /// point got as far as it was asked to. Newton is left out where the interior point ended far from the solution.
+  /// point got as far as it was asked to. Newton is left out where the interior point ended far from the solution, and
+  /// the interior point where the impulses are near already and nothing failed from there.
   void approach(const VecX& start, const InteriorSettings& way) {
-    bool goes_on = true;
+    const bool is_last = &way == std::prev(std::end(k_with_slope));
+    bool is_begun = false, arrives = true;
     for (const Handover& handover : k_handovers) {
-      if (is_done() || !goes_on) return;
+      if (is_done() || !arrives) break;
       const double goal = std::max(settings_.tolerance, handover.residual);
       VecX near = best_.r;
-      if (best_.law_map_m_s > goal) {
-        const bool is_first = &handover == k_handovers;
-        auto found = is_first ? interior_.run(start, goal, left(), way) : interior_.go_on(goal, left());
-        goes_on = found.law_map_m_s <= goal;
+      if (has_failed_ || best_.law_map_m_s > goal) {
+        auto found = is_begun ? interior_.go_on(goal, left()) : interior_.run(start, goal, left(), way);
+        is_begun = true;
+        arrives = found.law_map_m_s <= goal;
         best_.interior += found.iterations;
         note(found.history);
         keep_better(found.r);
-        const bool is_last = &way == std::prev(std::end(k_with_slope));
-        if (!is_last && !(found.law_map_m_s < k_near * still_)) return;
+        if (!is_last && !(found.law_map_m_s < k_near * still_)) break;
         near = std::move(found.r);
       }
       if (!is_done()) finish(near, handover.factorisations);
     }
+    has_failed_ = true;
   }
 
   void finish(const VecX& near, int factorisations) {
@@ -128,7 +130,8 @@ class BodyClimb {
   InteriorOnBodies interior_;
   BodySystem system_;
   const VecX& start_;
-  double still_ = 0;  ///< residual of no impulses [m/s]
+  double still_ = 0;         ///< residual of no impulses [m/s]
+  bool has_failed_ = false;  ///< a way was tried before
   BodyOutcome best_;
 };
 

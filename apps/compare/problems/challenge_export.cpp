@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <iostream>
+#include <iterator>
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <numeric>
@@ -32,12 +33,20 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double k_wanted = 1e-10, k_certified = 1e-8;  // [m/s]
+constexpr const char* k_jams = "jams";            // folder of scenes whose last steps are wanted, beside the others
 constexpr int k_most_iterations = 3000;                 // unlike a time limit, it gives the same files each time
 
 /// A problem that is to be written.
-struct Source {
+struct Found {
   std::string name, what;
-  std::function<std::optional<contact::ContactProblem>(std::string& what)> make;
+  contact::ContactProblem problem;
+  std::optional<VecX> guess;
+};
+
+/// Where problems come from: one of the generated ones, or a scene that must be run first.
+struct Source {
+  std::string name;
+  std::function<std::vector<Found>()> make;
 };
 
 struct Exported {
@@ -68,13 +77,14 @@ Answer best_answer(const contact::ContactProblem& problem) {
 }
 
 /// Writes the file, reads it again and measures its residual. Only one thread may call it at a time, because of HDF5.
-Exported write_problem(const fs::path& folder, const Source& source, const contact::ContactProblem& problem,
-                       Answer answer) {
+Exported write_problem(const fs::path& folder, const Found& source, Answer answer) {
+  const contact::ContactProblem& problem = source.problem;
   answer.solution.v = contact::velocities(problem, answer.solution.r);
   answer.solution.u = contact::contact_velocities(problem, answer.solution.v);
   const fs::path file = folder / (source.name + ".hdf5");
   contact::FclibProblem stored;
   stored.problem = problem;
+  stored.guess = source.guess;
   stored.title = source.name;
   stored.description = source.what;
   stored.dof_of_file.resize(static_cast<std::size_t>(problem.num_velocities()));
@@ -88,28 +98,53 @@ Exported write_problem(const fs::path& folder, const Source& source, const conta
           map};
 }
 
+/// The scenes of a folder in the order of their names.
+std::vector<fs::path> scenes_in(const fs::path& folder) {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.path().extension() == ".xml") files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+std::vector<Found> hardest_of(const std::string& name, const fs::path& file, double until) {
+  auto step = hardest_step(file, until);
+  if (!step) return {};
+  const std::string what =
+      fmt::format("{} at {:.6g} s: {} iterations", file.filename().string(), step->time, step->iterations);
+  return {{name, what, std::move(step->problem), {}}};
+}
+
+std::vector<Found> last_of(const fs::path& file, double until) {
+  std::vector<Found> all;
+  for (StoredStep& step : last_steps(file, until)) {
+    Found& one = all.emplace_back();
+    one.name = fmt::format("{}-step-{}", file.stem().string(), step.step);
+    one.what = fmt::format("{} at {:.6g} s, with its warm start", file.filename().string(), step.time);
+    one.problem = std::move(step.problem);
+    if (step.guess.size() > 0) one.guess = std::move(step.guess);
+  }
+  return all;
+}
+
 std::vector<Source> sources_of(const ProblemExportOptions& options) {
   std::vector<Source> all;
   if (options.generated)
     for (auto& one : challenges())
-      all.push_back({one.name, one.what, [problem = one.problem](std::string&) { return std::optional(problem); }});
+      all.push_back({one.name, [one] { return std::vector<Found>{{one.name, one.what, one.problem, {}}}; }});
   if (options.scenes.empty()) return all;
   std::error_code error;
   if (!fs::is_directory(options.scenes, error))
     throw FileError(options.scenes.string() + ": there is no such folder of scenes");
-  std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(options.scenes))
-    if (entry.path().extension() == ".xml") files.push_back(entry.path());
-  std::sort(files.begin(), files.end());
+  const std::vector<fs::path> files = scenes_in(options.scenes);
   if (files.empty()) throw InputError(options.scenes.string() + ": found no scene (*.xml)");
-  for (const auto& file : files)
-    all.push_back({"scene-" + file.stem().string(), "", [file, until = options.until_s](std::string& what) {
-                     auto step = hardest_step(file, until);
-                     if (!step) return std::optional<contact::ContactProblem>();
-                     what = fmt::format("{} at {:.6g} s: {} iterations", file.filename().string(), step->time,
-                                        step->iterations);
-                     return std::optional(std::move(step->problem));
-                   }});
+  for (const auto& file : files) {
+    const std::string name = "scene-" + file.stem().string();
+    all.push_back({name, [name, file, until = options.until_s] { return hardest_of(name, file, until); }});
+  }
+  if (!fs::is_directory(options.scenes / k_jams, error)) return all;
+  for (const auto& file : scenes_in(options.scenes / k_jams))
+    all.push_back({file.stem().string(), [file, until = options.until_s] { return last_of(file, until); }});
   return all;
 }
 
@@ -150,27 +185,26 @@ std::string exported_line(const Exported& one) {
 int export_problems(const ProblemExportOptions& options) {
   const std::vector<Source> sources = sources_of(options);
   output::claim_folder(options.out, options.force);
-  std::vector<std::optional<Exported>> slots(sources.size());
+  std::vector<std::vector<Exported>> slots(sources.size());
   std::mutex writing;
   verify::run_jobs(
       sources.size(), options.threads,
       [&](std::size_t k) {
-        Source source = sources[k];
-        auto problem = source.make(source.what);
-        if (problem) {
-          problem->law = Law::coulomb;
-          Answer answer = best_answer(*problem);
+        std::vector<Found> found = sources[k].make();
+        for (Found& one : found) {
+          one.problem.law = Law::coulomb;
+          Answer answer = best_answer(one.problem);
           const std::lock_guard hold(writing);
-          slots[k] = write_problem(options.out, source, *problem, std::move(answer));
+          slots[k].push_back(write_problem(options.out, one, std::move(answer)));
+          if (!options.quiet) std::cerr << exported_line(slots[k].back());
         }
-        if (options.quiet) return;
+        if (options.quiet || !found.empty()) return;
         const std::lock_guard hold(writing);
-        std::cerr << (slots[k] ? exported_line(*slots[k]) : fmt::format("{:<24}the bodies never touch\n", source.name));
+        std::cerr << fmt::format("{:<24}the bodies never touch\n", sources[k].name);
       },
       {});
   std::vector<Exported> all;
-  for (auto& slot : slots)
-    if (slot) all.push_back(std::move(*slot));
+  for (auto& slot : slots) std::move(slot.begin(), slot.end(), std::back_inserter(all));
   output::write_whole(options.out / "problems.csv", exported_table(all));
   if (options.json) std::cout << exported_json(all).dump(2) << "\n";
   const auto certified = std::count_if(all.begin(), all.end(), [](const Exported& one) { return one.certified(); });

@@ -1,6 +1,7 @@
 #include "apps/compare/problems/challenge_scenes.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/base/log.h"
 #include "core/scene/read/read_scene.h"
@@ -36,6 +37,22 @@ std::optional<HardestStep> hardest_step(const std::filesystem::path& scene_file,
     }
   }
   return hardest;
+}
+
+std::vector<StoredStep> last_steps(const std::filesystem::path& scene_file, double until) {
+  const scene::Scene scene = scene::read_scene(scene_file);
+  WarningCounts warnings(make_logger("off", ""));
+  sim::Simulation simulation(scene, 1, warnings);
+  const int count = static_cast<int>(std::lround(std::min(until, scene.time.end) / scene.time.step));
+  constexpr int k_apart = 5, k_first = 2 * k_apart;
+  std::vector<StoredStep> found;
+  for (int done = 1; done <= count; ++done) {
+    simulation.step();
+    const contact::SolvedProblem& solved = simulation.last_problem();
+    if ((count - done) % k_apart != 0 || count - done > k_first || solved.problem.num_contacts() == 0) continue;
+    if (all_can_move(solved.problem)) found.push_back({solved.problem, solved.guess, simulation.time(), done});
+  }
+  return found;
 }
 
 }  // namespace nilas::compare

@@ -2,6 +2,7 @@
 /// The hardest contact problem that a scene meets.
 #include <filesystem>
 #include <optional>
+#include <vector>
 
 #include "contact/problem/problem.h"
 
@@ -17,5 +18,17 @@ struct HardestStep {
 /// solver, and of these the one with most contacts. Steps with a contact between bodies that cannot move are left out,
 /// because no file can hold them. Nothing if bodies never touch. Throws SceneError, InputError, FileError.
 std::optional<HardestStep> hardest_step(const std::filesystem::path& scene, double until);
+
+/// A step's contact problem with the impulses that the solver began with.
+struct StoredStep {
+  contact::ContactProblem problem;
+  VecX guess;       ///< empty without a warm start
+  double time = 0;  ///< end of the step [s]
+  int step = 0;     ///< steps done, this one included
+};
+
+/// Runs a scene up to a time [s] or its end on one thread and returns its last step and those 5 and 10 steps before,
+/// as far as bodies touch in them. Throws SceneError, InputError, FileError.
+std::vector<StoredStep> last_steps(const std::filesystem::path& scene, double until);
 
 }  // namespace nilas::compare

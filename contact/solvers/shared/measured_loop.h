@@ -2,6 +2,8 @@
 /// The loop around cheap iterations. Each of them estimates the residual, which is measured only when the estimate is
 /// small or the last measurement is long ago.
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include "contact/solvers/shared/best_impulses.h"
 
@@ -9,10 +11,13 @@ namespace nilas::solvers {
 
 class MeasuredLoop {
  public:
-  /// `window`: of the stall rule, whose share is 0.999. With tolerance 0 nothing is measured and nothing stalls.
-  MeasuredLoop(const contact::SolverSettings& shared, const Budget& budget, int window)
+  /// `window`: of the stall rule, whose share is 0.999. `horizon`: a loop that at its pace would take more iterations
+  /// has stalled, 0: none. With tolerance 0 nothing is measured and nothing stalls.
+  MeasuredLoop(const contact::SolverSettings& shared, const Budget& budget, int window, int horizon = 0)
       : tolerance_(shared.tolerance),
         last_(budget.iterations()),
+        horizon_(horizon),
+        next_(horizon > 0 ? k_first / 2 : k_first),
         enough_(shared.tolerance),
         best_(shared.tolerance, budget, {window, k_share}) {}
 
@@ -58,19 +63,37 @@ class MeasuredLoop {
     const bool is_fixed = change == 0 && last_change_ == 0;
     is_measured_ = true;
     last_change_ = change;
-    next_ = done + std::max(k_first, done / 2);
+    next_ = done + std::max(horizon_ > 0 ? k_first / 2 : k_first, done / 2);
     enough_ = std::min(enough_, change * tolerance_ / residual);
     best_.offer(r, residual);
     if (!std::isfinite(residual))
       best_.fail(k_overflow);
-    else if (is_fixed)
+    else if (is_fixed || (horizon_ > 0 && is_slow(residual)))
       best_.stall();
   }
 
+  /// Whether the tolerance lies beyond the horizon, if the residual goes on to fall with the same power of the number
+  /// of iterations as since the last measurement. Sweeps of a jam do so; in looser contact they are quicker.
+  bool is_slow(double residual) {
+    const Mark now{best_.iterations(), std::log(residual / tolerance_)};
+    const Mark before = std::exchange(marked_, now);
+    if (before.iteration <= 0 || before.iteration == now.iteration) return false;
+    const double power = (before.above - now.above) / std::log(now.iteration / static_cast<double>(before.iteration));
+    return !(power > 0 && std::log(now.iteration) + now.above / power <= std::log(horizon_));
+  }
+
+  /// A measurement: how far its residual lies above the tolerance, as a logarithm.
+  struct Mark {
+    int iteration = -1;
+    double above = 0;
+  };
+
   double tolerance_;
   int last_;
+  int horizon_;
+  int next_;
+  Mark marked_;
   double enough_;
-  int next_ = k_first;
   double last_change_ = 1;
   bool is_measured_ = false;
   BestImpulses best_;

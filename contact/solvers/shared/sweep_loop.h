@@ -12,6 +12,7 @@ struct SweepSettings {
   contact::SolverSettings shared;
   bool symmetric_sweeps = false;  ///< every second sweep runs backwards
   int stall_sweeps = 500;  ///< window of the stall rule (best_impulses.h), at least one sweep per contact; share 0.999
+  int horizon = 0;         ///< sweeps end where they promise to take more than these (measured_loop.h); 0: they go on
 };
 
 /// An island of a problem with bodies, its impulses in the rows.
@@ -51,7 +52,7 @@ class LocalSweeps {
 template <class Sweeps>
 contact::ContactSolution sweep_to_tolerance(Sweeps& sweeps, int contacts, const SweepSettings& settings,
                                             const Budget& budget) {
-  MeasuredLoop loop(settings.shared, budget, std::max(settings.stall_sweeps, contacts));
+  MeasuredLoop loop(settings.shared, budget, std::max(settings.stall_sweeps, contacts), settings.horizon);
   const auto measured = [&] {
     const double law_map = sweeps.law_map();
     sweeps.correct();

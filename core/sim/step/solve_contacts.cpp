@@ -43,8 +43,8 @@ void solve(World& world, SolvedContacts& solved) {
   contact::ContactProblem& problem = solved.contacts.problem;
   const std::vector<Mat3> frames = orthonormal_frames(solved.contacts);
   const contact::PreparedProblem prepared(problem);
-  contact::StaticFrictionSolution found =
-      world.model.solve(problem, prepared, first_guess(world, solved, frames), solved.slipping);
+  solved.guess = first_guess(world, solved, frames);
+  contact::StaticFrictionSolution found = world.model.solve(problem, prepared, solved.guess, solved.slipping);
   solved.solution = std::move(found.solution);
   solved.slipping = std::move(found.slipping);
   world.warm.keep(problem.key, frames, solved.solution.r);

@@ -17,6 +17,7 @@ namespace nilas::sim {
 struct SolvedContacts {
   FoundContacts found;
   contact::AssembledContacts contacts;
+  VecX guess;  ///< impulses that the solver began with, empty without a warm start [N s]
   contact::ContactSolution solution;
   int num_islands = 0;
   contact::Residuals residuals;

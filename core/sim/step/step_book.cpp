@@ -99,6 +99,7 @@ void StepBook::keep(SolvedContacts& solved, const contact::StepMotion& motion) {
   const WorldParts& parts = world_.parts;
   contact::SolvedProblem& kept = world_.solved.emplace_back();
   kept.problem = std::move(solved.contacts.problem);
+  kept.guess = std::move(solved.guess);
   kept.solution = std::move(solved.solution);
   kept.points = motion.points;
   kept.d = std::move(solved.d);
