@@ -40,8 +40,8 @@ struct FclibProblem {
 /// can move, W or M with an asymmetry above 1e-2.
 FclibProblem read_fclib(const std::filesystem::path& path);
 
-/// Writes a problem with its guess where it has one, and a solution where one is given. Throws FileError, InputError for spinning friction, which FCLIB
-/// has no row for.
+/// Writes a problem with its guess where it has one, and a solution where one is given. Throws FileError, InputError
+/// for spinning friction, which FCLIB has no row for.
 void write_fclib(const std::filesystem::path& path, const FclibProblem& problem, const ContactSolution* solution);
 void write_fclib(const std::filesystem::path& path, const LocalProblem& problem, const ContactSolution* solution);
 void write_fclib(const std::filesystem::path& path, const ContactProblem& problem, const ContactSolution* solution);

@@ -33,8 +33,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double k_wanted = 1e-10, k_certified = 1e-8;  // [m/s]
-constexpr const char* k_jams = "jams";            // folder of scenes whose last steps are wanted, beside the others
-constexpr int k_most_iterations = 3000;                 // unlike a time limit, it gives the same files each time
+constexpr const char* k_jams = "jams";   // folder of scenes whose last steps are wanted, beside the others
+constexpr int k_most_iterations = 3000;  // unlike a time limit, it gives the same files each time
 
 /// A problem that is to be written.
 struct Found {
@@ -187,22 +187,21 @@ int export_problems(const ProblemExportOptions& options) {
   output::claim_folder(options.out, options.force);
   std::vector<std::vector<Exported>> slots(sources.size());
   std::mutex writing;
-  verify::run_jobs(
-      sources.size(), options.threads,
-      [&](std::size_t k) {
-        std::vector<Found> found = sources[k].make();
-        for (Found& one : found) {
-          one.problem.law = Law::coulomb;
-          Answer answer = best_answer(one.problem);
-          const std::lock_guard hold(writing);
-          slots[k].push_back(write_problem(options.out, one, std::move(answer)));
-          if (!options.quiet) std::cerr << exported_line(slots[k].back());
-        }
-        if (options.quiet || !found.empty()) return;
-        const std::lock_guard hold(writing);
-        std::cerr << fmt::format("{:<24}the bodies never touch\n", sources[k].name);
-      },
-      {});
+  verify::run_jobs(sources.size(), options.threads,
+                   [&](std::size_t k) {
+                     std::vector<Found> found = sources[k].make();
+                     for (Found& one : found) {
+                       one.problem.law = Law::coulomb;
+                       Answer answer = best_answer(one.problem);
+                       const std::lock_guard hold(writing);
+                       slots[k].push_back(write_problem(options.out, one, std::move(answer)));
+                       if (!options.quiet) std::cerr << exported_line(slots[k].back());
+                     }
+                     if (options.quiet || !found.empty()) return;
+                     const std::lock_guard hold(writing);
+                     std::cerr << fmt::format("{:<24}the bodies never touch\n", sources[k].name);
+                   },
+                   {});
   std::vector<Exported> all;
   for (auto& slot : slots) std::move(slot.begin(), slot.end(), std::back_inserter(all));
   output::write_whole(options.out / "problems.csv", exported_table(all));

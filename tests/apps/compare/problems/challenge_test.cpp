@@ -54,6 +54,26 @@ TEST(ProblemExport, WritesProblemsWithCertifiedSolutions) {
   }
 }
 
+/// The last step of a jam and those 5 and 10 steps before, each with the impulses that its solver began with.
+TEST(ProblemExport, WritesStepsOfJamsWithTheirWarmStarts) {
+  const ScratchFolder folder;
+  folder.write("scenes/box.xml", k_scene);
+  folder.write("scenes/jams/pressed.xml", k_scene);
+  const auto run = run_nilas("problems --export out --scenes scenes --json --quiet", folder.path());
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(Table(folder.path() / "out/problems.csv").rows(), challenges().size() + 4);
+  for (const char* name : {"pressed-step-10", "pressed-step-15", "pressed-step-20"}) {
+    const contact::FclibProblem stored = contact::read_fclib(folder.path() / "out" / (std::string(name) + ".hdf5"));
+    const auto& problem = std::get<contact::ContactProblem>(stored.problem);
+    ASSERT_TRUE(stored.solution) << name;
+    EXPECT_LE(contact::measure(problem, *stored.solution).law_map_m_s, 1e-8) << name;
+    ASSERT_TRUE(stored.guess) << name;
+    // a box at rest or sliding steadily: what the last step ended with is near, and not the solution itself
+    EXPECT_LT((*stored.guess - *stored.solution).norm(), 0.2 * stored.solution->norm()) << name;
+    EXPECT_NE(*stored.guess, *stored.solution) << name;
+  }
+}
+
 TEST(ProblemExport, IsTheSameEachTimeAndHarmsNoFolder) {
   const ScratchFolder folder;
   folder.write("scenes/box.xml", k_scene);
