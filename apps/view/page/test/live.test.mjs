@@ -19,6 +19,8 @@ if (missing && process.env.NILAS_PAGE_TESTS_MAY_SKIP !== '1') throw new Error(mi
 /** A run that serves its page: frames come on request, and a viewer gets all from the start. */
 class Run {
   commands = [];
+  /** Answers to commands wait for this. */
+  answering = Promise.resolve();
   viewers = new Set();
   token = 'secret';
 
@@ -45,8 +47,9 @@ class Run {
     }
     let body = '';
     request.on('data', (chunk) => { body += chunk; });
-    return request.on('end', () => {
+    return request.on('end', async () => {
       this.commands.push({ method: request.method, path: url.pathname, ...JSON.parse(body) });
+      await this.answering;
       response.writeHead(204).end();
     });
   }
@@ -135,7 +138,17 @@ check('its buttons steer the run, and show what others did', async () => {
   await page.select('#controls .run select', '0.2');
   assert.deepEqual(await told(4), [['POST', '/control', 'pause', undefined], ['POST', '/control', 'step', undefined],
                                    ['POST', '/control', 'resume', undefined], ['POST', '/control', 'slow', 0.2]]);
+  let answer;
+  run.answering = new Promise((resolve) => { answer = resolve; });
+  await press(page, 'Step');
+  await told(5);
+  await page.keyboard.press('Home');
+  await until(page, () => window.nilas.frame === 0);
+  answer();
+  await hasResume();
+  assert.equal(await page.evaluate(() => window.nilas.frame), 0, 'an answer that comes late pulls no user on');
   run.state({ paused: true, factor: 0.5 });
+  await until(page, () => document.querySelector('#controls .run select').value === '0.5');
   await hasResume();
   assert.equal(await page.$eval('#controls .run select', (select) => select.value), '0.5');
   assert.deepEqual(faults, []);

@@ -69,10 +69,11 @@ export class Controls {
   }
 
   async #command(action, factor) {
+    // Who goes on wants to see it. That is now, and not when the run has answered: the user may look back meanwhile.
+    if (action === 'step' || action === 'resume') this.player.goLive();
     try {
       await this.live.control(action, factor);
       if (action !== 'slow') this.isRunPaused = action !== 'resume';
-      if (action !== 'slow') this.player.goLive();
     } catch (error) {
       this.warn(error.message);
     }
