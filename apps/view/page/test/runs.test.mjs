@@ -1,9 +1,10 @@
 /**
- * The page of runs of the program, which the environment variable NILAS names: a tow, level ice that breaks, and a
- * moored ship in waves.
+ * The page of runs of the program, which the environment variable NILAS names: a tow after its end and while it goes on,
+ * level ice that breaks, and a moored ship in waves.
  */
 import assert from 'node:assert/strict';
-import { execFileSync } from 'node:child_process';
+import { execFileSync, spawn } from 'node:child_process';
+import { once } from 'node:events';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
@@ -139,6 +140,51 @@ check('a tow is shown, with the forces of its table', async () => {
   const state = await visit(pageOf('towing', TOWING), { silent: ['follow', 'damage'] });
   assert.match(state.legendText, /force of the carriage/);
   demandArrowsOfTable(state, 'towing');
+});
+
+check('a tow is shown while it goes on, from this machine alone', async () => {
+  writeFileSync(join(folder, 'long.xml'), TOWING.replace('end="2"', 'end="600"').replace('length="8"', 'length="400"'));
+  const run = spawn(process.env.NILAS, ['run', 'long.xml', '--quiet', '--out', 'long', '--view'], { cwd: folder, stdio: ['ignore', 'ignore', 'pipe'] });
+  try {
+    // The stream stays open: a run whose words nobody reads would end.
+    const live = await new Promise((resolve) => {
+      let said = '';
+      run.stderr.on('data', (part) => {
+        said += part;
+        if (/http\S+\n/.test(said)) resolve(said.match(/http\S+/)[0]);
+      });
+    });
+    const { page, faults, requests } = await openPage(browser, live, { width: 640, height: 480 });
+    await page.waitForFunction(() => window.nilas.frameCount > 20);
+    await page.evaluate(() => [...document.querySelectorAll('#controls button')].find((button) => button.textContent === 'Pause the run').click());
+    // Who looks back is not pulled on.
+    await page.keyboard.press('Home');
+    await page.waitForFunction(() => window.nilas.frame === 0);
+    await page.evaluate(() => window.nilas.seek(1.23));
+    assert.equal(await frame(page), 12);
+    for (const [name, changes] of Object.entries(await turnSwitches(page)))
+      if (!['follow', 'damage'].includes(name)) assert.ok(changes.some(Boolean), `"${name}" changes nothing`);
+    await page.evaluate(() => {
+      for (const name of ['graphs', 'panel']) window.nilas.set(name, false);
+      window.nilas.set('view', 'top');
+    });
+    const floe = await floeOnScreen(page, 2);
+    await page.mouse.click(floe.x, floe.y);
+    await page.waitForFunction(() => !document.getElementById('card').hidden);
+    const state = await page.evaluate(() => ({ ...window.nilas.state(), time: window.nilas.frame / 10 }));
+    assert.equal(state.picked, floe.id);
+    demandArrowsOfTable(state, 'long');
+    await page.setViewport({ width: 375, height: 720, isMobile: true, hasTouch: true });
+    assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 375);
+    assert.deepEqual(faults, []);
+    assert.deepEqual(requests, []);
+    await page.close();
+    assert.equal(run.exitCode, null, 'to close the page ended the run');
+  } finally {
+    const ended = once(run, 'exit');
+    run.kill('SIGINT');
+    await ended;
+  }
 });
 
 check('a run in level ice is shown, with the pieces that break off', async () => {
