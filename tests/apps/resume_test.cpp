@@ -42,7 +42,8 @@ void expect_same_steps(const fs::path& one, const fs::path& other) {
 
 nlohmann::json untimed_summary(const fs::path& file) {
   auto summary = nlohmann::json::parse(read_text(file));
-  for (const char* time : {"wall_s", "processor_s", "real_time_factor", "threads", "slowdown"}) summary.erase(time);
+  for (const char* time : {"wall_s", "processor_s", "resuming_s", "real_time_factor", "threads", "slowdown"})
+    summary.erase(time);
   summary["modules"].erase("ms_per_step");
   return summary;
 }
@@ -256,6 +257,10 @@ TEST_F(Resume, AnInterruptedRunGoesOnWhereItStopped) {
   const auto result = nilas("run --resume cut --checkpoint-every 0.3");
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_TRUE(mentions(result.err, "continues from")) << result.err;
+  EXPECT_FALSE(summary.contains("resuming_s"));
+  const auto resumed = nlohmann::json::parse(read_text(in("cut/summary.json")));
+  EXPECT_GT(resumed.at("resuming_s").get<double>(), 0);
+  EXPECT_LT(resumed.at("resuming_s").get<double>(), resumed.at("wall_s").get<double>());
   expect_same_run(in("whole"), in("cut"));
 }
 

@@ -137,6 +137,7 @@ class Run {
       console.close(output::closing_account(folder_.statistics(),
                                             {.wall_s = wall,
                                              .processor_s = processor,
+                                             .resuming_s = resuming_,
                                              .figures = simulation.figures(),
                                              .interrupted = ending.interrupted},
                                             folder_.path(), ice, twins ? &*twins : nullptr, ice_load));
@@ -221,6 +222,8 @@ class Run {
     warnings_.restore(in.group("warnings"));
     in.get("wall_s", wall_before_);
     in.get("processor_s", processor_before_);
+    in.get("resuming_s", resuming_);
+    resuming_ += output::steady_seconds() - started_;
     steps_saved_ = simulation.steps();
     logger_->info("the run continues from {:g} s", simulation.time());
     console.go_on_from(simulation.time());
@@ -235,6 +238,7 @@ class Run {
     warnings_.save(out.group("warnings"));
     out.add("wall_s", wall_seconds());
     out.add("processor_s", run_processor_seconds());
+    out.add("resuming_s", resuming_);
     if (!origin_) origin_ = checkpoint_origin(scene_.fingerprint);
     folder_.write_checkpoint(*origin_, std::move(state));
     steps_saved_ = simulation.steps();
@@ -313,6 +317,7 @@ class Run {
     input.ended_early = ending.early;
     input.wall_s = wall;
     input.processor_s = processor;
+    input.resuming_s = resuming_;
     input.seed = scene_.seed;
     input.threads = options_.threads;
     input.machine = system_text();
@@ -332,6 +337,7 @@ class Run {
   long steps_saved_ = -1;                        ///< steps in the newest checkpoint; -1: there is none
   double started_ = output::steady_seconds(), wall_before_ = 0;
   double processor_started_ = processor_seconds(), processor_before_ = 0;
+  double resuming_ = 0;  ///< wall time in which sessions after the first built the scene again [s]
   std::shared_ptr<spdlog::logger> logger_;
   WarningCounts warnings_;
 };

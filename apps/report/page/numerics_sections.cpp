@@ -69,11 +69,11 @@ PageTable worst_table(const nlohmann::ordered_json& worst) {
 
 bool is_energy(const std::string& column) { return column.ends_with("_J"); }
 
-/// The wall time of the run for each step [ms]; 0 where it is not known.
-double wall_per_step(const RunData& run) {
-  if (!run.summary.contains("wall_s") || !run.summary.at("wall_s").is_number() || run.steps.rows() == 0) return 0;
+/// A time of the summary for each step [ms]; 0 where it is not known.
+double per_step(const RunData& run, const char* key) {
+  if (!run.summary.contains(key) || !run.summary.at(key).is_number() || run.steps.rows() == 0) return 0;
   constexpr double k_ms = 1e3;
-  return k_ms * run.summary.at("wall_s").get<double>() / static_cast<double>(run.steps.rows());
+  return k_ms * run.summary.at(key).get<double>() / static_cast<double>(run.steps.rows());
 }
 
 Section without_steps(Section section) {
@@ -223,20 +223,21 @@ Section time_section(const RunFindings& found) {
     plot.curves.push_back(thinned(name, steps.time(), steps[column]));
   }
   // What the steps do not explain is the time outside of them: building the scene, drawing progress.
-  const double per_step = wall_per_step(found.run);
-  const double whole = std::max(per_step, all);
+  const double resuming = per_step(found.run, "resuming_s");
+  const double whole = std::max(per_step(found.run, "wall_s"), all + resuming), other = whole - all - resuming;
+  if (resuming > 0) means.emplace_back("resuming", resuming);
+  if (other > 0) means.emplace_back("other", other);
   for (const auto& [name, mean] : means)
     table.rows.push_back({name, number_text(mean), fmt::format("{:.1f} %", k_hundred * mean / whole)});
-  if (whole > all)
-    table.rows.push_back(
-        {"other", number_text(whole - all), fmt::format("{:.1f} %", k_hundred * (whole - all) / whole)});
   table.rows.push_back({"all", number_text(whole), "100 %"});
   if (found.run.summary.contains("wall_s"))
     section.text.push_back(
         fmt::format("The run took {:.4g} s of wall time and {:.4g} s of processor time for {} steps.",
                     found.run.summary.at("wall_s").get<double>(), found.run.summary.value("processor_s", std::nan("")),
                     steps.rows()));
-  if (whole > all)
+  if (resuming > 0)
+    section.text.emplace_back("Resuming is the time in which later sessions of the run built the scene again.");
+  if (other > 0)
     section.text.emplace_back("Other is the time outside of the steps, such as that for building the scene.");
   if (found.run.summary.contains("slowdown")) section.text.push_back(found.run.summary.at("slowdown"));
   section.plots.push_back(std::move(plot));

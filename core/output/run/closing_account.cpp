@@ -31,14 +31,17 @@ std::string processor_lines(const RunEnding& ending) {
   return text;
 }
 
-/// Wall time per phase. `other` is the time outside of the steps: building the scene, drawing progress.
-std::string phase_table(const RunStatistics& statistics, double wall_s) {
+/// Wall time per phase. `resuming` is that in which later sessions built the scene again, and `other` the rest outside
+/// of the steps: building the scene, drawing progress.
+std::string phase_table(const RunStatistics& statistics, const RunEnding& ending) {
   const auto& ms = statistics.total_ms();
-  const double in_steps = std::accumulate(ms.begin(), ms.end(), 0.0), total = std::max(wall_s * k_ms_per_s, in_steps);
+  const double in_steps = std::accumulate(ms.begin(), ms.end(), 0.0), resuming = ending.resuming_s * k_ms_per_s;
+  const double total = std::max(ending.wall_s * k_ms_per_s, in_steps + resuming);
   std::string text = fmt::format("  {:<14}{:>12}{:>9}\n", "phase", "ms per step", "percent");
   for (std::size_t p = 0; p < ms.size(); ++p)
     if (ms[p] > 0) text += phase_line(sim::to_string(static_cast<sim::Phase>(p)), ms[p], statistics.steps(), total);
-  text += phase_line("other", total - in_steps, statistics.steps(), total);
+  if (resuming > 0) text += phase_line("resuming", resuming, statistics.steps(), total);
+  text += phase_line("other", total - in_steps - resuming, statistics.steps(), total);
   return text + phase_line("all", total, statistics.steps(), total);
 }
 
@@ -121,7 +124,7 @@ std::string closing_account(const RunStatistics& statistics, const RunEnding& en
   text += fmt::format("{:<22}{}, {:.3g} x real time\n", "wall-clock", duration_text(wall_s),
                       wall_s > 0 ? simulated / wall_s : 0);
   text += processor_lines(ending);
-  text += phase_table(statistics, wall_s);
+  text += phase_table(statistics, ending);
   text += detection_lines(statistics.detection());
   text += worst_line("worst law residual", statistics, "law_map_m_s", "m/s");
   text += penetration_lines(statistics, ice.has_value() && ice->crushes);

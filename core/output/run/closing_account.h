@@ -22,6 +22,7 @@ struct BrokenIce {
 struct RunEnding {
   double wall_s = 0;       ///< wall-clock time of the whole run [s]
   double processor_s = 0;  ///< processor time of the whole run, on all threads [s]
+  double resuming_s = 0;   ///< wall-clock time in which later sessions built the scene again [s]
   /// Figures of the run by the modules that give them, with the modules' names.
   std::vector<std::pair<std::string, std::vector<bodies::RunFigure>>> figures = {};
   std::string interrupted = {};  ///< when the run was interrupted and how to continue it; empty: it was not

@@ -116,6 +116,7 @@ Json summary_json(const sim::RunInfo& info, const RunStatistics& statistics, con
   summary["steps"] = statistics.steps();
   summary["wall_s"] = input.wall_s;
   summary["processor_s"] = input.processor_s;
+  if (input.resuming_s > 0) summary["resuming_s"] = input.resuming_s;
   summary["real_time_factor"] = input.wall_s > 0 ? (statistics.end_time() - statistics.start_time()) / input.wall_s : 0;
   if (info.has_vessel) summary["vessel"] = vessel_json(info.vessel_mass);
   if (info.tare) summary["tare"] = tare_json(*info.tare, info.has_cells);

@@ -20,6 +20,7 @@ struct SummaryInput {
   int exit_code = 0;
   double wall_s = 0;       ///< wall time of the whole run [s]
   double processor_s = 0;  ///< processor time of the whole run, on all threads [s]
+  double resuming_s = 0;   ///< wall time in which later sessions of the run built the scene again [s]
   std::uint64_t seed = 0;
   int threads = 1;
   std::string machine;

@@ -276,18 +276,33 @@ TEST_F(ReportPage, NamesCellsThatAreNoNumber) {
   EXPECT_TRUE(mentions(page_of("run"), "1 cell is no finite number and left out of graphs, in " + column));
 }
 
+/// The first number of a row of a table, not a number where there is no such row.
+double row_of(const std::string& page, const std::string& name) {
+  std::smatch found;
+  const bool is_there = std::regex_search(page, found, std::regex("<tr><th>" + name + "</th><td>([^<]+)</td>"));
+  return is_there ? std::stod(found[1]) : std::nan("");
+}
+
 TEST_F(ReportPage, TheTimesOfPhasesAddUpToTheWallTime) {
   const std::string page = page_of("run");
   const Json summary = Json::parse(read_text(in("run/summary.json")));
-  const auto row = [&](const std::string& name) {
-    std::smatch found;
-    return std::regex_search(page, found, std::regex("<tr><th>" + name + "</th><td>([^<]+)</td>")) ? std::stod(found[1])
-                                                                                                   : std::nan("");
-  };
   const double steps = summary.at("steps").get<double>(), wall = 1e3 * summary.at("wall_s").get<double>() / steps;
-  EXPECT_NEAR(row("all"), wall, 1e-3 * wall);
-  EXPECT_GT(row("other"), 0);
-  EXPECT_LT(row("other"), wall);
+  EXPECT_NEAR(row_of(page, "all"), wall, 1e-3 * wall);
+  EXPECT_GT(row_of(page, "other"), 0);
+  EXPECT_LT(row_of(page, "other"), wall);
+  EXPECT_TRUE(std::isnan(row_of(page, "resuming"))) << "the run was not resumed";
+}
+
+TEST_F(ReportPage, TellsTheTimeForResumingFromOtherTime) {
+  const double before = row_of(page_of("run"), "other");
+  Json summary = Json::parse(read_text(in("run/summary.json")));
+  const double steps = summary.at("steps").get<double>();
+  summary["wall_s"] = summary.at("wall_s").get<double>() + 0.5;
+  summary["resuming_s"] = 0.5;
+  folder.write("run/summary.json", summary.dump());
+  const std::string page = page_of("run");
+  EXPECT_NEAR(row_of(page, "resuming"), 500 / steps, 1e-3 * 500 / steps);
+  EXPECT_NEAR(row_of(page, "other"), before, 1e-2 * before);
 }
 
 TEST_F(ReportPage, DrawsTheTensionsOfMooringLinesAndNamesTheLargest) {

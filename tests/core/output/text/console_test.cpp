@@ -119,6 +119,12 @@ TEST(ClosingAccount, ShowsWhereTheTimeWentAndTheWorstValues) {
             "worst energy error    1e-12 J at 0.01 s, 6.7e-14 of the energy put in\n"
             "outputs               runs/sample\n");
   for (const auto& line : test::split_lines(text)) EXPECT_LE(line.size(), 80u);
+  const std::string resumed = closing_account(statistics, {.wall_s = 0.056, .resuming_s = 0.014}, "runs/sample");
+  EXPECT_NE(resumed.find("  resuming           14.0000     25.0\n"
+                         "  other              14.0000     25.0\n"
+                         "  all                56.0000    100.0\n"),
+            std::string::npos)
+      << resumed;
   EXPECT_EQ(text.find("not converged"), std::string::npos) << "nothing was missed";
   const std::string broken =
       closing_account(statistics, {.wall_s = 0.056}, "runs/sample", BrokenIce{515, 594, 1234567, 0.0123, 0});
