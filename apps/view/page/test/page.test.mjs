@@ -55,6 +55,7 @@ check('it draws all bodies, and as many arrows as contacts, at any time', async 
   for (const i of [0, 39, 17, 18, 5]) {
     const state = await page.evaluate(async (k) => {
       await window.nilas.seekFrame(k);
+      window.nilas.capture();
       return window.nilas.state();
     }, i);
     const wanted = replay.frames[i];
@@ -63,6 +64,7 @@ check('it draws all bodies, and as many arrows as contacts, at any time', async 
     assert.equal(state.contacts, wanted.contacts.length);
     assert.equal(state.arrows.length, wanted.contacts.length);
     assert.equal(state.crushed, wanted.contacts.filter(({ status }) => status === 3).length);
+    assert.ok(state.rings <= state.crushed && (state.rings > 0) === (state.crushed > 0), `${state.rings} rings`);
     // Sums over pairs stand behind the exact contacts, so each arrow is sought by its bodies.
     for (const { on, by, force, position, exact } of state.arrows) {
       const found = wanted.contacts.find((c) => c.exact === exact && wanted.bodies[c.first].id === on && wanted.bodies[c.second].id === by);

@@ -4,9 +4,12 @@ import { Dots } from './dots.js';
 import { Rods } from './rods.js';
 import { rampColour } from './colours.js';
 import { COLOURS } from './shading.js';
+import { spacedContacts } from './spaced.js';
 
 const COLOUR_OF_STATUS = [COLOURS.open, COLOURS.stick, COLOURS.slip, COLOURS.crush];
 const DOT = 5.5, CRUSH_RING = 15;
+/** Rings are chosen anew when the camera comes so much nearer or goes so much farther. */
+const OTHER_SCALE = 1.2;
 /** The most forces, normals and chains of a frame that are drawn. More cannot be told apart, and take seconds by software. */
 const MOST_FORCES = 20000;
 
@@ -20,6 +23,10 @@ export class ContactLayer {
   /** The contacts whose forces are drawn, and how many there are. */
   drawn = [];
   count = 0;
+  /** The contacts where ice is crushed, if they are marked. */
+  crushed = [];
+  #contacts = null;
+  #ringDistance = 0;
 
   get objects() { return this.layers.map((layer) => layer.object); }
   get layers() { return [this.points, this.rings, this.normals, this.arrows, this.chains]; }
@@ -33,9 +40,12 @@ export class ContactLayer {
   update(frame, poses, scale, shown) {
     for (const layer of this.layers) layer.clear();
     const { count, status } = frame.contacts;
+    this.#contacts = frame.contacts;
+    this.crushed = [];
+    this.#ringDistance = 0;
     for (let i = 0; i < count; ++i) {
       if (shown.contacts) this.#addPoint(frame.contacts, i);
-      if (shown.crushed && status[i] === ContactStatus.crush) this.#addRing(frame.contacts, i);
+      if (shown.crushed && status[i] === ContactStatus.crush) this.crushed.push(i);
     }
     this.count = count;
     this.drawn = strongest(frame.contacts);
@@ -51,7 +61,15 @@ export class ContactLayer {
     this.points.add(point[3 * i], point[3 * i + 1], point[3 * i + 2], DOT, COLOUR_OF_STATUS[status[i]] ?? COLOURS.open);
   }
 
-  #addRing({ point }, i) { this.rings.add(point[3 * i], point[3 * i + 1], point[3 * i + 2], CRUSH_RING, COLOURS.crush); }
+  /** Marks crushed contacts so that rings do not hide each other. `pixel`: its size where the camera looks [m]. */
+  placeRings(pixel) {
+    const distance = CRUSH_RING * pixel;
+    if (this.crushed.length === 0 || Math.max(distance / this.#ringDistance, this.#ringDistance / distance) < OTHER_SCALE) return;
+    this.#ringDistance = distance;
+    this.rings.clear();
+    for (const i of spacedContacts(this.#contacts, this.crushed, distance)) this.rings.add(...this.#contacts.point.subarray(3 * i, 3 * i + 3), CRUSH_RING, COLOURS.crush);
+    this.rings.done();
+  }
 
   #addNormal({ point, normal }, i, length) {
     const [x, y, z] = [0, 1, 2].map((k) => point[3 * i + k]), size = 0.03 * length;

@@ -26,7 +26,7 @@ void main() {
   if (r > 1.0) discard;
   // A white rim keeps dots apart from what lies behind. The large ones are rings.
   bool ring = v_size > 10.0;
-  if (ring && r < 0.45) discard;
+  if (ring && r < 0.7) discard;
   gl_FragColor = vec4(r > 0.78 && !ring ? vec3(1.0) : v_tint, 1.0);
 }`;
 

@@ -162,6 +162,7 @@ export class World {
     for (const dots of [this.contacts.points, this.contacts.rings, this.lines.dots]) dots.ratio = this.stage.renderer.getPixelRatio();
     const distance = Math.max(camera.position.distanceTo(controls.target), 1e-9);
     const size = this.extent.floeSize / (pixel * distance);
+    this.contacts.placeRings(pixel * distance);
     this.floes.edgeOpacity = Math.min(Math.max((size - 2) / 24, 0.06), 0.85);
   }
 
@@ -180,7 +181,7 @@ export class World {
     }
     return {
       bodies: this.floes.count + this.walls.count + this.vessel.count, bodiesInFrame: bodies.id.length,
-      contacts: this.contacts.points.count, contactsInFrame: contacts.count, crushed: this.contacts.rings.count,
+      contacts: this.contacts.points.count, contactsInFrame: contacts.count, crushed: this.contacts.crushed.length, rings: this.contacts.rings.count,
       normals: this.contacts.normals.count, chains: this.contacts.chains.count, lines: frame.lines.length, waves: this.water.numWaves, arrows,
       picked: this.picked, legend: this.colours.legend, metresPerNewton: this.metresPerNewton,
     };

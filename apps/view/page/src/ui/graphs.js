@@ -75,7 +75,7 @@ export class Graphs {
   #add(c) {
     const { name, unit } = this.recording.head.channels[c];
     const data = this.#data(c);
-    const [factor, text] = unitFor(largest(data), unit);
+    const [factor, text] = unitFor(largestShown(data, name), unit);
     const value = el('b'), box = el('div'), note = el('small');
     const title = `${channelTitle(name)}${text ? ` [${text}]` : ''}`;
     const element = el('div', { class: 'chart' }, el('h3', { title: name }, el('span', {}, title, note), value), box);
@@ -178,6 +178,12 @@ function rangeAfterRamp([time, low, high]) {
   }
   const size = late[1] - late[0];
   return size > 0 && all[1] - all[0] > MUCH * size ? [late[0] - MARGIN * size, late[1] + MARGIN * size] : null;
+}
+
+/** The largest size in the range that is shown. */
+function largestShown(data, name) {
+  const late = hasRamp(name) ? rangeAfterRamp(data) : null;
+  return late ? Math.max(...late.map(Math.abs)) : largest(data);
 }
 
 function chartOptions(factor, width, isRamped) {
