@@ -95,19 +95,18 @@ void add_exact(const std::vector<const FrameContact*>& list, const BodyFrames& f
 }  // namespace
 
 void ContactWriter::add(const FrameContacts& list, const bodies::Bodies& bodies, const BodyFrames& frames,
-                        Content& content) {
-  content.begin(Packing::mixed);
-  add_islands(list.islands, content.bytes);
+                        std::string& content, NumberCoder& numbers) {
+  add_islands(list.islands, content);
   std::vector<const FrameContact*> exact, sums;
   for (const FrameContact& c : list.contacts) (c.exact ? exact : sums).push_back(&c);
-  add_exact(exact, frames, content.bytes);
+  add_exact(exact, frames, content);
   if (frames.is_key()) pairs_.clear();
-  add_pairs(sums, bodies, frames, content);
+  add_pairs(sums, bodies, frames, numbers);
 }
 
 /// The pairs of the frame before that still touch, and a mark for each whose bodies are there.
 std::vector<ContactWriter::Pair> ContactWriter::kept(const std::vector<const FrameContact*>& now,
-                                                     const bodies::Bodies& bodies, std::string& content) const {
+                                                     const bodies::Bodies& bodies, NumberCoder& numbers) const {
   std::map<std::pair<std::int64_t, std::int64_t>, const FrameContact*> found;
   for (const FrameContact* c : now)
     found[{bodies.id[static_cast<std::size_t>(c->first)], bodies.id[static_cast<std::size_t>(c->second)]}] = c;
@@ -116,7 +115,7 @@ std::vector<ContactWriter::Pair> ContactWriter::kept(const std::vector<const Fra
   for (Pair pair : pairs_) {
     if (!is_there(pair.first) || !is_there(pair.second)) continue;
     const auto place = found.find({pair.first, pair.second});
-    add_byte(place == found.end() ? 1 : 0, content);
+    numbers.add(k_of_parting, pair.status, place == found.end() ? 1 : 0);
     if (place == found.end()) continue;
     pair.contact = place->second;
     list.push_back(pair);
@@ -126,36 +125,39 @@ std::vector<ContactWriter::Pair> ContactWriter::kept(const std::vector<const Fra
 
 /// Pairs that stay come first, in their order, so that each stands for itself by its place.
 void ContactWriter::add_pairs(const std::vector<const FrameContact*>& now, const bodies::Bodies& bodies,
-                              const BodyFrames& frames, Content& content) {
-  std::vector<Pair> list = kept(now, bodies, content.bytes);
+                              const BodyFrames& frames, NumberCoder& numbers) {
+  std::vector<Pair> list = kept(now, bodies, numbers);
   std::vector<const FrameContact*> stays, fresh;
   for (const Pair& pair : list) stays.push_back(pair.contact);
   std::sort(stays.begin(), stays.end());
   for (const FrameContact* c : now)
     if (!std::binary_search(stays.begin(), stays.end(), c)) fresh.push_back(c);
-  add_varint(fresh.size(), content.bytes);
-  add_places(fresh, content.bytes);
-  for (const FrameContact* c : fresh)
-    list.push_back(
-        {bodies.id[static_cast<std::size_t>(c->first)], bodies.id[static_cast<std::size_t>(c->second)], {}, c});
-  content.begin(Packing::numbers);
-  for (const Pair& pair : list) add_byte(static_cast<int>(pair.contact->status), content.bytes);
-  std::array<std::string, k_numbers> arrays;
+  numbers.add(k_of_new_pairs, k_no_past, static_cast<std::int64_t>(fresh.size()));
+  int last = 0;
+  for (const FrameContact* c : fresh) {
+    numbers.add(k_of_first, k_no_past, c->first - std::exchange(last, c->first));
+    numbers.add(k_of_second, k_no_past, c->second - c->first);
+    Pair pair{.first = bodies.id[static_cast<std::size_t>(c->first)],
+              .second = bodies.id[static_cast<std::size_t>(c->second)]};
+    pair.contact = c;
+    list.push_back(pair);
+  }
   for (Pair& pair : list) {
-    const auto numbers = numbers_of(*pair.contact, bodies, frames.unit(static_cast<std::size_t>(pair.contact->first)));
-    for (std::size_t k = 0; k < k_numbers; ++k) {
-      const std::int64_t difference = numbers[k] - pair.numbers[k];
-      add_signed(k == normal_around  ? wrapped(difference, k_circle)
-                 : k == force_around ? wrapped(difference, k_force_circle)
-                                     : difference,
-                 arrays[k]);
+    const auto status = static_cast<std::uint8_t>(pair.contact->status);
+    numbers.add(k_of_status, std::exchange(pair.status, status), status);
+  }
+  std::vector<std::array<std::int64_t, k_numbers>> values;
+  for (const Pair& pair : list)
+    values.push_back(numbers_of(*pair.contact, bodies, frames.unit(static_cast<std::size_t>(pair.contact->first))));
+  for (std::size_t k = 0; k < k_numbers; ++k)
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      Pair& pair = list[i];
+      const std::int64_t difference = values[i][k] - std::exchange(pair.numbers[k], values[i][k]);
+      pair.digits[k] = numbers.add(k_of_pair + k, pair.digits[k],
+                                   k == normal_around  ? wrapped(difference, k_circle)
+                                   : k == force_around ? wrapped(difference, k_force_circle)
+                                                       : difference);
     }
-    pair.numbers = numbers;
-  }
-  for (std::size_t k = 0; k < k_numbers; ++k) {
-    if (k == point_x || k == force_size) content.begin(Packing::numbers);
-    content.bytes += arrays[k];
-  }
   pairs_ = std::move(list);
 }
 

@@ -8,13 +8,15 @@
 
 #include "core/output/replay/contacts.h"
 #include "core/output/replay/frame.h"
+#include "core/output/replay/number_coder.h"
 
 namespace nilas::output::replay {
 
 class ContactWriter {
  public:
-  /// Appends islands and contacts to the content of a frame, whose bodies `frames` has.
-  void add(const FrameContacts& list, const bodies::Bodies& bodies, const BodyFrames& frames, Content& content);
+  /// Appends islands and exact contacts to the content of a frame, whose bodies `frames` has, and pairs to `numbers`.
+  void add(const FrameContacts& list, const bodies::Bodies& bodies, const BodyFrames& frames, std::string& content,
+           NumberCoder& numbers);
 
  private:
   static constexpr std::size_t k_numbers = 8;
@@ -22,13 +24,21 @@ class ContactWriter {
   struct Pair {
     std::int64_t first = 0, second = 0;
     std::array<std::int64_t, k_numbers> numbers{};
+    std::array<std::uint8_t, k_numbers> digits = none();  ///< of the newest differences
+    std::uint8_t status = k_no_past;
     const FrameContact* contact = nullptr;  ///< in the newest frame
+
+    static constexpr std::array<std::uint8_t, k_numbers> none() {
+      std::array<std::uint8_t, k_numbers> digits{};
+      digits.fill(k_no_past);
+      return digits;
+    }
   };
 
   void add_pairs(const std::vector<const FrameContact*>& now, const bodies::Bodies& bodies, const BodyFrames& frames,
-                 Content& content);
+                 NumberCoder& numbers);
   std::vector<Pair> kept(const std::vector<const FrameContact*>& now, const bodies::Bodies& bodies,
-                         std::string& content) const;
+                         NumberCoder& numbers) const;
 
   std::vector<Pair> pairs_;  ///< of the frame before, in their order there
 };

@@ -42,8 +42,6 @@ int kind_code(bodies::BodyKind kind, bool is_part) {
   return 2;
 }
 
-std::array<double, 4> numbers_of_turn(const Quat& q) { return {q.w(), q.x(), q.y(), q.z()}; }
-
 }  // namespace
 
 /// A key frame: all bodies come anew. Bodies other than floes get the unit of the smallest floe.
@@ -61,18 +59,20 @@ void BodyFrames::begin_key(const bodies::Bodies& bodies) {
 }
 
 void BodyFrames::add(const bodies::Bodies& bodies, double t, long step, double h, const BodyMarks& marks,
-                     Content& content, std::string& shapes) {
+                     std::string& content, NumberCoder& numbers, std::string& shapes) {
   const bool is_key = since_key_ >= k_key_every;
-  if (is_key) begin_key(bodies);
+  if (is_key) {
+    begin_key(bodies);
+    numbers.forget();
+  }
   ++since_key_;
-  add_byte(is_key ? k_key_flag : 0, content.bytes);
-  add_number(t, content.bytes);
-  add_varint(static_cast<std::uint64_t>(step), content.bytes);
-  add_number(h, content.bytes);
-  add_list(bodies, marks, content.bytes, shapes);
-  add_motion(bodies, content);
-  content.begin(Packing::numbers);
-  add_marks(bodies, marks, content.bytes);
+  add_byte(is_key ? k_key_flag : 0, content);
+  add_number(t, content);
+  add_varint(static_cast<std::uint64_t>(step), content);
+  add_number(h, content);
+  add_list(bodies, marks, content, shapes);
+  add_motion(bodies, numbers);
+  add_marks(bodies, marks, numbers);
 }
 
 /// Bodies keep their order, and those that come stand at the end, so a pass through both lists finds what changed.
@@ -117,43 +117,44 @@ void BodyFrames::add_body(const bodies::Bodies& bodies, std::size_t b, bool is_p
   add_text(is_floe ? std::string_view() : std::string_view(bodies.name[b]), content);
 }
 
-void BodyFrames::add_motion(const bodies::Bodies& bodies, Content& content) {
+/// The numbers w, x, y, z of a turn, with the sign nearest to that of the frame before.
+std::array<double, 4> BodyFrames::turn_nearest(const Quat& q, const Stored& body) {
+  std::array<double, 4> turn{q.w(), q.x(), q.y(), q.z()};
+  double along = body.past > 0 ? 0 : turn[0];
+  for (std::size_t k = 0; k < turn.size() && body.past > 0; ++k) along += turn[k] * static_cast<double>(body.turn[k]);
+  for (double& x : turn) x = along < 0 ? -x : x;
+  return turn;
+}
+
+void BodyFrames::add_motion(const bodies::Bodies& bodies, NumberCoder& numbers) {
   NILAS_DEMAND(now_.size() == bodies.id.size());
-  std::array<std::string, 7> arrays;
-  for (std::size_t b = 0; b < now_.size(); ++b) {
-    Stored& body = now_[b];
-    std::array<double, 4> turn = numbers_of_turn(bodies.q_GB[b]);
-    double along = body.past > 0 ? 0 : turn[0];
-    for (std::size_t k = 0; k < 4 && body.past > 0; ++k) along += turn[k] * static_cast<double>(body.turn[k]);
-    const double sign = along < 0 ? -1 : 1;
-    for (std::size_t k = 0; k < 7; ++k) {
-      std::int64_t& stored = k < 3 ? body.position[k] : body.turn[k - 3];
-      const std::int64_t value = k < 3 ? in_units(bodies.p_GB[b][static_cast<Eigen::Index>(k)], body.unit)
-                                       : in_units(sign * turn[k - 3], k_turn_unit);
+  std::vector<std::array<double, 4>> turns;
+  for (std::size_t b = 0; b < now_.size(); ++b) turns.push_back(turn_nearest(bodies.q_GB[b], now_[b]));
+  for (std::size_t k = 0; k < k_of_speed; ++k)
+    for (std::size_t b = 0; b < now_.size(); ++b) {
+      Stored& body = now_[b];
+      std::int64_t& stored = k < k_of_turn ? body.position[k] : body.turn[k - k_of_turn];
+      const std::int64_t value = k < k_of_turn ? in_units(bodies.p_GB[b][static_cast<Eigen::Index>(k)], body.unit)
+                                               : in_units(turns[b][k - k_of_turn], k_turn_unit);
       const std::int64_t predicted = body.past == 0 ? 0 : body.past == 1 ? stored : 2 * stored - body.before[k];
-      add_signed(value - predicted, arrays[k]);
+      body.add(k_of_position + k, value - predicted, numbers);
       body.before[k] = stored;
       stored = value;
     }
-    body.past = std::min(body.past + 1, 2);
-  }
-  for (std::size_t k = 0; k < arrays.size(); ++k) {
-    if (k == 0 || k == 3) content.begin(Packing::numbers);
-    content.bytes += arrays[k];
-  }
+  for (Stored& body : now_) body.past = std::min(body.past + 1, 2);
 }
 
-void BodyFrames::add_marks(const bodies::Bodies& bodies, const BodyMarks& marks, std::string& content) {
+void BodyFrames::add_marks(const bodies::Bodies& bodies, const BodyMarks& marks, NumberCoder& numbers) {
   for (std::size_t b = 0; b < now_.size(); ++b) {
     const std::int64_t code = speed_code(bodies.v_GB[b].norm());
-    add_signed(code - std::exchange(now_[b].speed, code), content);
+    now_[b].add(k_of_speed, code - std::exchange(now_[b].speed, code), numbers);
   }
   for (std::size_t b = 0; b < now_.size(); ++b) {
     const std::int64_t island = marks.island.empty() ? 0 : marks.island[b];
-    add_signed(island - std::exchange(now_[b].island, island), content);
+    now_[b].add(k_of_island, island - std::exchange(now_[b].island, island), numbers);
   }
   for (std::size_t b = 0; b < marks.damage.size(); ++b)
-    add_signed(marks.damage[b] - std::exchange(now_[b].damage, marks.damage[b]), content);
+    now_[b].add(k_of_damage, marks.damage[b] - std::exchange(now_[b].damage, marks.damage[b]), numbers);
 }
 
 }  // namespace nilas::output::replay

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/bodies/bodies.h"
-#include "core/output/replay/piece.h"
+#include "core/output/replay/number_coder.h"
 #include "core/output/replay/shapes.h"
 
 namespace nilas::output::replay {
@@ -34,10 +34,10 @@ class BodyFrames {
   /// Where that body is, in its unit.
   const std::array<std::int64_t, 3>& position(std::size_t b) const { return now_[b].position; }
 
-  /// Appends the head of a frame and the arrays of bodies to `content`, and new shapes to the content of a piece of
-  /// shapes.
-  void add(const bodies::Bodies& bodies, double t, long step, double h, const BodyMarks& marks, Content& content,
-           std::string& shapes);
+  /// Appends the head of a frame to `content`, the arrays of bodies to `numbers`, and new shapes to the content of a
+  /// piece of shapes.
+  void add(const bodies::Bodies& bodies, double t, long step, double h, const BodyMarks& marks, std::string& content,
+           NumberCoder& numbers, std::string& shapes);
 
  private:
   struct Stored {
@@ -48,14 +48,25 @@ class BodyFrames {
     std::array<std::int64_t, 4> turn{};
     std::array<std::int64_t, 7> before{};  ///< position and turn of the frame before
     std::int64_t speed = 0, island = 0, damage = 0;
+    std::array<std::uint8_t, k_of_parting> digits = none();  ///< of the newest number of each kind
+
+    static constexpr std::array<std::uint8_t, k_of_parting> none() {
+      std::array<std::uint8_t, k_of_parting> digits{};
+      digits.fill(k_no_past);
+      return digits;
+    }
+    void add(std::size_t kind, std::int64_t x, NumberCoder& numbers) {
+      digits[kind] = numbers.add(kind, digits[kind], x);
+    }
   };
 
   void begin_key(const bodies::Bodies& bodies);
   void add_list(const bodies::Bodies& bodies, const BodyMarks& marks, std::string& content, std::string& shapes);
   void add_body(const bodies::Bodies& bodies, std::size_t b, bool is_part, std::int64_t& last_id, std::string& content,
                 std::string& shapes);
-  void add_motion(const bodies::Bodies& bodies, Content& content);
-  void add_marks(const bodies::Bodies& bodies, const BodyMarks& marks, std::string& content);
+  static std::array<double, 4> turn_nearest(const Quat& q, const Stored& body);
+  void add_motion(const bodies::Bodies& bodies, NumberCoder& numbers);
+  void add_marks(const bodies::Bodies& bodies, const BodyMarks& marks, NumberCoder& numbers);
 
   Shapes shapes_;
   std::vector<Stored> now_;

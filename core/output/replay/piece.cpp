@@ -32,8 +32,8 @@ std::string packed_piece(char kind, const Content& content) {
   for (const Content::Part& part : content.parts) {
     stream.avail_in = static_cast<uInt>(part.begin - std::exchange(begin, part.begin));
     if (stream.avail_in > 0) NILAS_DEMAND(deflate(&stream, Z_BLOCK) == Z_OK && stream.avail_in == 0);
-    NILAS_DEMAND(deflateParams(&stream, k_level, part.packing == Packing::numbers ? Z_RLE : Z_DEFAULT_STRATEGY) ==
-                 Z_OK);
+    NILAS_DEMAND(
+        deflateParams(&stream, k_level, part.packing == Packing::dense ? Z_HUFFMAN_ONLY : Z_DEFAULT_STRATEGY) == Z_OK);
   }
   stream.avail_in = static_cast<uInt>(content.bytes.size() - begin);
   const int state = deflate(&stream, Z_FINISH);

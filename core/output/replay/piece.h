@@ -8,15 +8,15 @@
 namespace nilas::output::replay {
 
 /// The bytes with which a replay file starts; the last one is the version.
-inline constexpr std::string_view k_signature = "NILASRP3";
+inline constexpr std::string_view k_signature = "NILASRP4";
 
 inline constexpr char k_head = 'H', k_shape = 'S', k_frame = 'F', k_waves = 'W', k_end = 'E', k_live = 'L';
 
-/// What a part of a content is like: `mixed`, where the same bytes come again, or `numbers`, small ones that vary.
-enum class Packing { mixed, numbers };
+/// What a part of a content is like: `mixed`, where the same bytes come again, or `dense`, which cannot be packed
+/// further.
+enum class Packing { mixed, dense };
 
-/// The content of a piece while it is put together. Each part is packed by itself, since its bytes have frequencies of
-/// their own; readers see no difference.
+/// The content of a piece while it is put together. Each part is packed by itself; readers see no difference.
 struct Content {
   struct Part {
     std::size_t begin = 0;

@@ -78,20 +78,27 @@ void ReplayFile::frame(const ShownState& shown) {
   const FrameContacts contacts = frame_contacts(shown.substeps, shown.bodies, choice, shown.h > 0 ? shown.h : 1);
   content_.clear();
   shapes_.clear();
+  rest_.clear();
   content_.begin(Packing::mixed);
   channels_.add_to(content_.bytes);
-  frames_.add(shown.bodies, shown.t, shown.step, shown.h, marks_of(shown, contacts, choice.loaded), content_, shapes_);
-  contacts_.add(contacts, shown.bodies, frames_, content_);
-  add_lines(shown.lines);
+  frames_.add(shown.bodies, shown.t, shown.step, shown.h, marks_of(shown, contacts, choice.loaded), content_.bytes,
+              numbers_, shapes_);
+  contacts_.add(contacts, shown.bodies, frames_, rest_, numbers_);
+  add_lines(shown.lines, rest_);
+  const std::string numbers = numbers_.finish();
+  add_varint(numbers.size(), content_.bytes);
+  content_.begin(Packing::dense);
+  content_.bytes += numbers;
+  content_.begin(Packing::mixed);
+  content_.bytes += rest_;
   const std::string before = shapes_.empty() ? std::string() : packed_piece(k_shape, shapes_);
   file_.append(before + packed_piece(k_frame, content_));
 }
 
-void ReplayFile::add_lines(const std::vector<bodies::DrawnLine>& lines) {
-  if (!lines.empty()) content_.begin(Packing::mixed);
-  add_varint(arrows_.size() + lines.size(), content_.bytes);
-  for (const auto& line : arrows_) add_line(line, content_.bytes);
-  for (const auto& line : lines) add_line(line, content_.bytes);
+void ReplayFile::add_lines(const std::vector<bodies::DrawnLine>& lines, std::string& out) const {
+  add_varint(arrows_.size() + lines.size(), out);
+  for (const auto& line : arrows_) add_line(line, out);
+  for (const auto& line : lines) add_line(line, out);
 }
 
 void ReplayFile::save(StateWriter out) const {

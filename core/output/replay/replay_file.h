@@ -11,6 +11,8 @@
 #include "core/output/replay/contact_writer.h"
 #include "core/output/replay/contacts.h"
 #include "core/output/replay/frame.h"
+#include "core/output/replay/number_coder.h"
+#include "core/output/replay/piece.h"
 #include "core/output/vtk/trajectory.h"
 #include "core/scene/scene.h"
 
@@ -44,16 +46,18 @@ class ReplayFile {
 
  private:
   BodyMarks marks_of(const ShownState& shown, const FrameContacts& contacts, const LoadedBodies& loaded) const;
-  void add_lines(const std::vector<bodies::DrawnLine>& lines);
+  void add_lines(const std::vector<bodies::DrawnLine>& lines, std::string& out) const;
 
   sim::RunInfo info_;
   bool has_contact_table_, of_all_bodies_, has_damage_;
   Channels channels_;
   BodyFrames frames_;
   ContactWriter contacts_;
+  NumberCoder numbers_;
   std::vector<bodies::DrawnLine> arrows_;  ///< the loads of carriage and wind on the vessel in the newest step
   OutputFile file_;
   Content content_;
+  std::string rest_;    ///< what follows the coded numbers of a frame
   std::string shapes_;  ///< of the pieces of a frame
 };
 

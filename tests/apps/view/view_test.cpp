@@ -273,7 +273,7 @@ TEST_F(View, ThePageOfALiveRunNeedsTheToken) {
 
 TEST_F(View, TwoPagesReadTheRunAsItGoesOn) {
   LiveRun run(folder.path());
-  EXPECT_EQ(run.first_bytes(8).substr(0, 8), "NILASRP3") << "also before the run has begun";
+  EXPECT_EQ(run.first_bytes(8).substr(0, 8), "NILASRP4") << "also before the run has begun";
   ASSERT_TRUE(run.reaches(60));
   for (int page = 0; page < 2; ++page) {
     const Replay replay(run.first_bytes(20000));

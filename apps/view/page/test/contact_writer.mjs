@@ -1,4 +1,5 @@
 /** Writes the contacts of a frame, as docs/reference/replay-file.md says. It knows nothing of the page. */
+import { NO_PAST } from './number_writer.mjs';
 
 const CIRCLE = 128, FORCE_CIRCLE = 64, FORCE_STEPS = 20, LEAST_FORCE = 1e-12;
 
@@ -19,16 +20,11 @@ function angles([x, y, z]) {
 const wrapped = (a, circle) => ((a + circle / 2) % circle + circle) % circle - circle / 2;
 
 export class ContactWriter {
-  /** Pairs of the frame before: {ids, numbers}. */
-  #pairs = [];
+  /** Pairs of the frame before by the identities of their bodies: {numbers, digits, status}. */
+  #pairs = new Map();
 
-  /** Contacts are {status, exact, stored, first, second, p, n, force}, with places in `bodies`. */
-  write(out, contacts, bodies, { isKey, stored }) {
-    this.#writeExact(out, contacts.filter(({ exact }) => exact), stored);
-    this.#writePairs(out, contacts.filter(({ exact }) => !exact), bodies, stored, isKey);
-  }
-
-  #writeExact(out, contacts, stored) {
+  /** Contacts are {status, exact, stored, first, second, p, n, force}, with places in the list of bodies. */
+  writeExact(out, contacts, stored) {
     out.varint(contacts.length);
     for (const { status, stored: isStored } of contacts) out.byte(status + (isStored ? 64 : 0));
     let last = 0;
@@ -44,29 +40,30 @@ export class ContactWriter {
     for (const { force } of contacts) for (const f of force) out.float32(f);
   }
 
-  #writePairs(out, contacts, bodies, stored, isKey) {
+  writePairs(out, contacts, bodies, stored, isKey) {
     const key = ({ first, second }) => `${bodies[first].id} ${bodies[second].id}`, now = new Map(contacts.map((c) => [key(c), c]));
-    const there = new Set(bodies.map(({ id }) => String(id))), kept = [];
-    for (const [name, numbers] of isKey ? [] : this.#pairs) {
+    const there = new Set(bodies.map(({ id }) => String(id))), old = new Map();
+    for (const [name, pair] of isKey ? [] : this.#pairs) {
       if (!name.split(' ').every((id) => there.has(id))) continue;
-      out.byte(now.has(name) ? 0 : 1);
-      if (now.has(name)) kept.push([name, numbers]);
+      out.add('parting', 0, pair.status, now.has(name) ? 0 : 1);
+      if (now.has(name)) old.set(name, pair);
     }
-    const old = new Map(kept), added = contacts.filter((c) => !old.has(key(c)));
-    out.varint(added.length);
+    const added = contacts.filter((c) => !old.has(key(c)));
+    out.add('newPairs', 0, NO_PAST, added.length);
     let last = 0;
-    for (const { first } of added) {
-      out.signed(first - last);
+    for (const { first, second } of added) {
+      out.add('first', 0, NO_PAST, first - last);
+      out.add('second', 0, NO_PAST, second - first);
       last = first;
     }
-    for (const { second } of added) out.varint(second);
-    const list = [...kept.map(([name]) => now.get(name)), ...added];
-    for (const { status } of list) out.byte(status);
-    this.#pairs = list.map((c) => [key(c), numbersOf(c, bodies[c.first], stored[c.first].unit)]);
+    const list = [...[...old.keys()].map((name) => now.get(name)), ...added];
+    for (const c of list) out.add('status', 0, old.get(key(c))?.status ?? NO_PAST, c.status);
+    this.#pairs = new Map(list.map((c) => [key(c), { numbers: numbersOf(c, bodies[c.first], stored[c.first].unit), digits: [], status: c.status }]));
     for (let k = 0; k < 8; ++k) {
-      for (const [name, numbers] of this.#pairs) {
-        const difference = numbers[k] - (old.get(name)?.[k] ?? 0);
-        out.signed(k === 0 ? wrapped(difference, CIRCLE) : k === 7 ? wrapped(difference, FORCE_CIRCLE) : difference);
+      for (const [name, pair] of this.#pairs) {
+        const before = old.get(name), difference = pair.numbers[k] - (before?.numbers[k] ?? 0);
+        const x = k === 0 ? wrapped(difference, CIRCLE) : k === 7 ? wrapped(difference, FORCE_CIRCLE) : difference;
+        pair.digits[k] = out.add('pair', k, before?.digits[k] ?? NO_PAST, x);
       }
     }
   }

@@ -175,7 +175,7 @@ test('pieces are the same whatever chunks they come in', async () => {
 });
 
 test('another version and another file are refused in plain words', () => {
-  assert.throws(() => new PieceReader().push(Buffer.from('NILASRP1xxxx')), { constructor: ReplayError, message: /has version 1, and this page reads version 3/ });
+  assert.throws(() => new PieceReader().push(Buffer.from('NILASRP1xxxx')), { constructor: ReplayError, message: /has version 1, and this page reads version 4/ });
   assert.throws(() => new PieceReader().push(Buffer.from('<scene version="1"/>')), { constructor: ReplayError, message: /not a replay of Nilas/ });
 });
 

@@ -234,8 +234,8 @@ check('a replay that cannot be shown gives a sentence', async () => {
   other[7] = '9'.charCodeAt(0);
   const damaged = Buffer.from(replay.bytes);
   damaged.fill(0, Math.floor(0.5 * damaged.length), Math.floor(0.5 * damaged.length) + 4000);
-  const cases = [['version', other, /has version 9, and this page reads version 3/], ['noise', Buffer.from('not a replay'), /not a replay of Nilas/],
-                 ['empty', Buffer.from('NILASRP3'), /no frames/]];
+  const cases = [['version', other, /has version 9, and this page reads version 4/], ['noise', Buffer.from('not a replay'), /not a replay of Nilas/],
+                 ['empty', Buffer.from('NILASRP4'), /no frames/]];
   for (const [name, bytes, wanted] of cases) {
     const { page } = await open(write(name, bytes), { waits: false });
     await page.waitForSelector('#stage .message');

@@ -1,5 +1,6 @@
 import { deflateSync } from 'node:zlib';
 import { ContactWriter } from './contact_writer.mjs';
+import { NO_PAST, NumberWriter } from './number_writer.mjs';
 
 const TURN_UNIT = 1 / 32768;
 
@@ -47,8 +48,10 @@ class Bytes {
 
   signed(x) { this.varint(x >= 0 ? 2 * x : -2 * x - 1); }
 
-  text(text) {
-    const bytes = Buffer.from(text);
+  text(text) { this.block(Buffer.from(text)); }
+
+  /** Bytes after their number. */
+  block(bytes) {
     this.varint(bytes.length);
     this.#room(bytes.length);
     bytes.copy(this.#buffer, this.#size);
@@ -74,10 +77,11 @@ export function piece(kind, content) {
  * q (w x y z), speed, island, damage}; a contact {status, exact, stored, first, second, p, n, force} with places in the list of bodies.
  */
 export class ReplayWriter {
-  parts = [Buffer.from('NILASRP3')];
+  parts = [Buffer.from('NILASRP4')];
   #bodies = [];
   #sinceKey = Infinity;
   #contacts = new ContactWriter();
+  #numbers = new NumberWriter();
 
   constructor({ keyEvery = 64 } = {}) { this.keyEvery = keyEvery; }
 
@@ -117,6 +121,7 @@ export class ReplayWriter {
     if (isKey) {
       this.#bodies = [];
       this.#sinceKey = 0;
+      this.#numbers.forget();
     }
     ++this.#sinceKey;
     for (const [value, least, most] of channels) {
@@ -129,15 +134,17 @@ export class ReplayWriter {
     out.varint(step);
     out.float64(stepLength);
     this.#writeList(out, bodies, unit);
-    this.#writeMotion(out, bodies);
-    this.#writeMarks(out, bodies);
+    this.#writeMotion(bodies);
+    this.#writeMarks(bodies);
+    this.#contacts.writePairs(this.#numbers, contacts.filter(({ exact }) => !exact), bodies, this.#bodies, isKey);
+    out.block(this.#numbers.finish());
     out.varint(islands.length);
     for (const island of islands) {
       out.varint(island.contacts);
       out.varint(island.iterations);
       out.float32(island.residual);
     }
-    this.#contacts.write(out, contacts, bodies, { isKey, stored: this.#bodies });
+    this.#contacts.writeExact(out, contacts.filter(({ exact }) => exact), this.#bodies);
     writeLines(out, lines);
     return this.add('F', out.done());
   }
@@ -162,11 +169,13 @@ export class ReplayWriter {
       out.float32(body.mass);
       out.float32(body.unit ?? unit);
       out.text(body.name ?? '');
-      this.#bodies.push({ id: body.id, unit: Math.fround(body.unit ?? unit), past: 0, now: new Array(7).fill(0), before: new Array(7).fill(0), speed: 0, island: 0, damage: 0 });
+      this.#bodies.push({ id: body.id, unit: Math.fround(body.unit ?? unit), past: 0, now: new Array(7).fill(0), before: new Array(7).fill(0), speed: 0, island: 0, damage: 0, digits: {} });
     }
   }
 
-  #writeMotion(out, bodies) {
+  #add(stored, kind, k, x) { stored.digits[kind + k] = this.#numbers.add(kind, k, stored.digits[kind + k] ?? NO_PAST, x); }
+
+  #writeMotion(bodies) {
     const arrays = Array.from({ length: 7 }, () => []);
     this.#bodies.forEach((stored, b) => {
       const { p, q } = bodies[b];
@@ -182,12 +191,12 @@ export class ReplayWriter {
       });
       stored.past = Math.min(stored.past + 1, 2);
     });
-    for (const x of arrays.flat()) out.signed(x);
+    arrays.forEach((list, k) => list.forEach((x, b) => this.#add(this.#bodies[b], k < 3 ? 'position' : 'turn', k < 3 ? k : k - 3, x)));
   }
 
-  #writeMarks(out, bodies) {
+  #writeMarks(bodies) {
     const write = (key, value) => this.#bodies.forEach((stored, b) => {
-      out.signed(value(bodies[b]) - stored[key]);
+      this.#add(stored, key, 0, value(bodies[b]) - stored[key]);
       stored[key] = value(bodies[b]);
     });
     write('speed', ({ speed }) => speed < 1e-6 ? 0 : 1 + Math.round(28 * (Math.log10(speed) + 6)));

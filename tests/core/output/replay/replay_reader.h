@@ -17,6 +17,7 @@
 
 #include "core/base/math.h"
 #include "core/output/replay/piece.h"
+#include "tests/core/output/replay/number_reader.h"
 
 namespace nilas::test {
 
@@ -44,7 +45,7 @@ class ByteReader {
     const std::uint64_t x = varint();
     return static_cast<std::int64_t>(x >> 1) ^ -static_cast<std::int64_t>(x & 1);
   }
-  std::string text() {
+  std::string block() {
     const auto size = varint();
     const std::string out = content_.substr(at_, size);
     skip(size);
@@ -71,6 +72,12 @@ struct ReplayShape {
   std::vector<Vec3> points;
   std::vector<std::vector<std::uint64_t>> polygons;
 };
+template <std::size_t N>
+constexpr std::array<int, N> all(int value) {
+  std::array<int, N> list{};
+  list.fill(value);
+  return list;
+}
 struct ReplayBody {
   std::int64_t id = 0;
   int kind = 0;
@@ -81,6 +88,7 @@ struct ReplayBody {
   int past = 0;
   std::array<std::int64_t, 7> now{}, before{};
   std::int64_t speed = 0, island = 0, damage = 0;
+  std::array<int, 10> digits = all<10>(k_no_number_before);  ///< of the newest numbers
   Vec3 p = Vec3::Zero();
   Quat q = Quat::Identity();
 };
@@ -89,6 +97,7 @@ struct ReplayContact {
   bool exact = false, stored = false;
   std::size_t first = 0, second = 0;
   std::array<std::int64_t, 8> numbers{};  ///< of a pair
+  std::array<int, 8> digits = all<8>(k_no_number_before);
   Vec3 p = Vec3::Zero(), n = Vec3::Zero(), force = Vec3::Zero();
 };
 struct ReplayIsland {
@@ -162,7 +171,11 @@ class Replay {
     frame.h = in.number<double>();
     if (!frame.key) frame.bodies = frames.back().bodies;
     read_list(in, frame);
-    read_arrays(in, frame);
+    if (frame.key) shares_.clear();
+    NumberReader numbers(in.block(), shares_);
+    read_arrays(numbers, frame);
+    std::vector<ReplayContact> pairs = read_pairs(numbers, frame);
+    EXPECT_TRUE(numbers.at_end());
     frame.islands.resize(in.varint());
     for (auto& island : frame.islands) {
       island.contacts = in.varint();
@@ -170,11 +183,12 @@ class Replay {
       island.residual = static_cast<double>(in.number<float>());
     }
     read_exact(in, frame);
-    read_pairs(in, frame);
+    for (auto& pair : pairs) place(pair, frame);
+    frame.contacts.insert(frame.contacts.end(), pairs.begin(), pairs.end());
     frame.lines.resize(in.varint());
     for (auto& line : frame.lines) {
       line.kind = in.number<unsigned char>();
-      line.name = in.text();
+      line.name = in.block();
       line.force = static_cast<double>(in.number<float>());
       line.points.resize(in.varint());
       for (Vec3& x : line.points) x = in.floats();
@@ -199,24 +213,30 @@ class Replay {
       body.thickness = static_cast<double>(in.number<float>());
       body.mass = static_cast<double>(in.number<float>());
       body.unit = static_cast<double>(in.number<float>());
-      body.name = in.text();
+      body.name = in.block();
       frame.bodies.push_back(body);
     }
   }
 
-  void read_arrays(ByteReader& in, ReplayFrame& frame) const {
+  static std::int64_t next(NumberReader& in, std::size_t kind, int& digits) {
+    const std::int64_t x = in.number(static_cast<int>(kind), digits);
+    digits = digits_of(x);
+    return x;
+  }
+
+  void read_arrays(NumberReader& in, ReplayFrame& frame) const {
     for (std::size_t k = 0; k < 7; ++k)
       for (ReplayBody& body : frame.bodies) {
         const std::int64_t predicted = body.past == 0   ? 0
                                        : body.past == 1 ? body.now[k]
                                                         : 2 * body.now[k] - body.before[k];
         body.before[k] = body.now[k];
-        body.now[k] = predicted + in.signed_varint();
+        body.now[k] = predicted + next(in, k, body.digits[k]);
       }
-    for (ReplayBody& body : frame.bodies) body.speed += in.signed_varint();
-    for (ReplayBody& body : frame.bodies) body.island += in.signed_varint();
+    for (ReplayBody& body : frame.bodies) body.speed += next(in, 7, body.digits[7]);
+    for (ReplayBody& body : frame.bodies) body.island += next(in, 8, body.digits[8]);
     if (head.at("damage").get<bool>())
-      for (ReplayBody& body : frame.bodies) body.damage += in.signed_varint();
+      for (ReplayBody& body : frame.bodies) body.damage += next(in, 9, body.digits[9]);
     for (ReplayBody& body : frame.bodies) {
       body.past = std::min(body.past + 1, 2);
       const auto& x = body.now;
@@ -263,7 +283,7 @@ class Replay {
   }
 
   /// The pairs of the frame before that touch still, by the places of now.
-  std::vector<ReplayContact> kept_pairs(ByteReader& in, const ReplayFrame& frame) const {
+  std::vector<ReplayContact> kept_pairs(NumberReader& in, const ReplayFrame& frame) const {
     std::vector<ReplayContact> kept;
     if (frame.key) return kept;
     const auto place_of = [&](std::size_t before) {
@@ -276,34 +296,42 @@ class Replay {
       if (pair.exact) continue;
       pair.first = place_of(pair.first);
       pair.second = place_of(pair.second);
-      if (std::max(pair.first, pair.second) < frame.bodies.size() && in.number<unsigned char>() == 0)
+      if (std::max(pair.first, pair.second) < frame.bodies.size() && in.number(10, pair.status) == 0)
         kept.push_back(pair);
     }
     return kept;
   }
 
-  void read_pairs(ByteReader& in, ReplayFrame& frame) const {
+  std::vector<ReplayContact> read_pairs(NumberReader& in, const ReplayFrame& frame) const {
     std::vector<ReplayContact> pairs = kept_pairs(in, frame);
     const std::size_t old = pairs.size();
-    pairs.resize(old + in.varint());
-    read_places(in, std::span(pairs).subspan(old));
-    for (auto& c : pairs) c.status = in.number<unsigned char>();
-    for (std::size_t k = 0; k < 8; ++k)
-      for (auto& c : pairs) c.numbers[k] += in.signed_varint();
-    for (auto& c : pairs) {
-      const ReplayBody& body = frame.bodies.at(c.first);
-      const auto number = [&](std::size_t k) { return static_cast<double>(c.numbers[k]); };
-      const auto direction = [](double around, double up) {
-        return Vec3(std::cos(up) * std::cos(around), std::cos(up) * std::sin(around), std::sin(up));
-      };
-      const double step = k_pi / 64, force_step = k_pi / 32, around = step * number(0), up = step * number(1);
-      c.p = body.p + body.q * (256 * body.unit * Vec3(number(3), number(4), number(5)));
-      c.n = body.q * direction(around, up);
-      c.force = std::pow(10, number(6) / 20) *
-                (body.q * direction(around + force_step * number(7), up + force_step * number(2)));
-      frame.contacts.push_back(c);
+    pairs.resize(old + static_cast<std::size_t>(in.number(11, k_no_number_before)));
+    std::int64_t at = 0;
+    for (auto& c : std::span(pairs).subspan(old)) {
+      c.first = static_cast<std::size_t>(at += in.number(12, k_no_number_before));
+      c.second = static_cast<std::size_t>(at + in.number(13, k_no_number_before));
     }
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+      pairs[i].status = static_cast<int>(in.number(14, i < old ? pairs[i].status : k_no_number_before));
+    for (std::size_t k = 0; k < 8; ++k)
+      for (auto& c : pairs) c.numbers[k] += next(in, 15 + k, c.digits[k]);
+    return pairs;
   }
+
+  static void place(ReplayContact& c, const ReplayFrame& frame) {
+    const ReplayBody& body = frame.bodies.at(c.first);
+    const auto number = [&](std::size_t k) { return static_cast<double>(c.numbers[k]); };
+    const auto direction = [](double around, double up) {
+      return Vec3(std::cos(up) * std::cos(around), std::cos(up) * std::sin(around), std::sin(up));
+    };
+    const double step = k_pi / 64, force_step = k_pi / 32, around = step * number(0), up = step * number(1);
+    c.p = body.p + body.q * (256 * body.unit * Vec3(number(3), number(4), number(5)));
+    c.n = body.q * direction(around, up);
+    c.force = std::pow(10, number(6) / 20) *
+              (body.q * direction(around + force_step * number(7), up + force_step * number(2)));
+  }
+
+  NumberReader::Shares shares_;  ///< after the newest frame
 };
 
 }  // namespace nilas::test

@@ -66,14 +66,6 @@ export class ByteReader {
     return coded % 2 === 1 ? -(coded + 1) / 2 : coded / 2;
   }
 
-  /** `count` signed integers. */
-  signedArray(count, Type = Float64Array) {
-    this.demand(count);
-    const values = new Type(count);
-    for (let i = 0; i < count; ++i) values[i] = this.signed();
-    return values;
-  }
-
   varintArray(count, Type = Uint32Array) {
     this.demand(count);
     const values = new Type(count);

@@ -1,3 +1,4 @@
+import { Kind, NO_PAST } from './numbers.js';
 import { turned } from './turn.js';
 
 export const ContactStatus = { open: 0, stick: 1, slip: 2, crush: 3 };
@@ -22,24 +23,26 @@ const NUMBERS = 8, TURNING = new Map([[OF_PAIR.normalAround, CIRCLE], [OF_PAIR.f
  * @property {Float32Array} normal x, y, z of each, into the first body
  * @property {Float32Array} force x, y, z of each, on the first body [N]
  * @property {Int32Array} pairNumbers the stored numbers of all pairs, kind by kind; the next frame counts from them
+ * @property {Uint8Array} pairPast the digits of their newest differences
  */
 
 /**
  * @param {import('./bytes.js').ByteReader} reader
+ * @param {import('./numbers.js').NumberReader} numbers
  * @param {{place: Float64Array, turn: Int32Array, unit: Float32Array, count: number}} bodies those of this frame
  * @param {{contacts: Contacts, placeNow: (place: number) => number}|null} before the frame before, and where its bodies
  *   are in the list now, -1 for one that went
  * @returns {Contacts}
  */
-export function decodeContacts(reader, bodies, before) {
+export function decodeContacts(reader, numbers, bodies, before) {
   const numExact = reader.varint();
   const exact = decodeExact(reader, bodies, numExact);
-  const pairs = decodePairs(reader, before), count = numExact + pairs.first.length;
+  const pairs = decodePairs(numbers, before), count = numExact + pairs.first.length;
   const contacts = {
     count, status: new Uint8Array(count), exact: new Uint8Array(count).fill(1, 0, numExact), stored: new Uint8Array(count),
     first: new Uint32Array(count), second: new Uint32Array(count),
     point: new Float64Array(3 * count), normal: new Float32Array(3 * count), force: new Float32Array(3 * count),
-    pairNumbers: pairs.numbers,
+    pairNumbers: pairs.numbers, pairPast: pairs.past,
   };
   for (const key of ['status', 'stored', 'first', 'second', 'point', 'normal', 'force']) contacts[key].set(exact[key]);
   for (const key of ['status', 'first', 'second']) contacts[key].set(pairs[key], numExact);
@@ -75,20 +78,25 @@ function demandBodies(first, second, count) {
 /** Pairs that stay come first, in their order, then new ones. Their numbers count from those of the frame before. */
 function decodePairs(reader, before) {
   const kept = before ? keptPairs(reader, before) : { first: [], second: [], from: [] };
-  const { first, second, from } = kept, numKept = first.length, oldCount = before ? before.contacts.pairNumbers.length / NUMBERS : 0;
-  const numNew = reader.varint();
-  for (let i = 0, at = 0; i < numNew; ++i) first.push(at += reader.signed());
-  for (let i = 0; i < numNew; ++i) second.push(reader.varint());
-  const count = first.length, numbers = new Int32Array(NUMBERS * count);
-  const status = reader.span(count);
+  const { first, second, from } = kept, numKept = first.length, old = before?.contacts, oldCount = old ? old.pairNumbers.length / NUMBERS : 0;
+  const numNew = reader.number(Kind.newPairs, NO_PAST);
+  for (let i = 0, at = 0; i < numNew; ++i) {
+    first.push(at += reader.number(Kind.first, NO_PAST));
+    second.push(at + reader.number(Kind.second, NO_PAST));
+  }
+  const count = first.length, numbers = new Int32Array(NUMBERS * count), past = new Uint8Array(NUMBERS * count).fill(NO_PAST);
+  const status = new Uint8Array(count), start = old ? old.count - oldCount : 0;
+  for (let i = 0; i < count; ++i) status[i] = reader.number(Kind.status, i < numKept ? old.status[start + from[i]] : NO_PAST);
   for (let k = 0; k < NUMBERS; ++k) {
-    const old = k * oldCount, circle = TURNING.get(k);
+    const circle = TURNING.get(k);
     for (let i = 0; i < count; ++i) {
-      const value = reader.signed() + (i < numKept ? before.contacts.pairNumbers[old + from[i]] : 0);
-      numbers[k * count + i] = circle ? value & (circle - 1) : value;
+      const at = k * count + i, was = k * oldCount + from[i];
+      if (i < numKept) past[at] = old.pairPast[was];
+      const value = reader.next(Kind.pair + k, past, at) + (i < numKept ? old.pairNumbers[was] : 0);
+      numbers[at] = circle ? value & (circle - 1) : value;
     }
   }
-  return { first, second, status, numbers };
+  return { first, second, status, numbers, past };
 }
 
 /** The pairs of the frame before whose bodies are still there and that are not named as gone. */
@@ -96,7 +104,7 @@ function keptPairs(reader, { contacts, placeNow }) {
   const first = [], second = [], from = [], start = contacts.count - contacts.pairNumbers.length / NUMBERS;
   for (let i = start; i < contacts.count; ++i) {
     const a = placeNow(contacts.first[i]), b = placeNow(contacts.second[i]);
-    if (a < 0 || b < 0 || reader.byte() !== 0) continue;
+    if (a < 0 || b < 0 || reader.number(Kind.parting, contacts.status[i]) !== 0) continue;
     first.push(a);
     second.push(b);
     from.push(i - start);

@@ -1,8 +1,9 @@
 import { ByteReader } from './bytes.js';
 import { decodeContacts } from './contacts.js';
+import { Kind, NO_PAST, NumberReader, evenShares } from './numbers.js';
 
 export const BodyKind = { floe: 0, vessel: 1, rigid: 2, wall: 3, part: 4 };
-const KEY_FLAG = 1, TURN_UNIT = 1 / 32768;
+const KEY_FLAG = 1, TURN_UNIT = 1 / 32768, BODY_KINDS = Kind.parting;
 
 /**
  * What stays the same of the bodies while none comes or goes, so frames share it.
@@ -30,6 +31,8 @@ const KEY_FLAG = 1, TURN_UNIT = 1 / 32768;
  * @property {Float64Array} placeBefore as `place`, of the frame before; valid where `age` > 0
  * @property {Int32Array} turnBefore
  * @property {Uint8Array} age frames since the body came, at most 1
+ * @property {Uint8Array} past for each kind of number and body the digits of the newest number, as `NumberReader` has them
+ * @property {Uint16Array} shares of the coded numbers after this frame
  * @property {Int32Array} speedCode
  * @property {Int32Array} island
  * @property {Uint8Array|null} damage in units of 1/255
@@ -74,13 +77,14 @@ export function decodeFrame(content, head, before) {
   const isKey = (reader.byte() & KEY_FLAG) !== 0;
   if (!isKey && !before) throw new Error('A frame that is no key frame was decoded without the frame before it.');
   const time = reader.float64(), step = reader.varint(), stepLength = reader.float64();
-  const { bodies, origin } = decodeBodyList(reader, isKey ? null : before);
-  const motion = decodeMotion(reader, origin, isKey ? null : before);
-  const marks = decodeMarks(reader, origin, isKey ? null : before, head.damage);
+  const last = isKey ? null : before, { bodies, origin } = decodeBodyList(reader, last);
+  const numbers = new NumberReader(reader.span(reader.varint()), last ? last.shares.slice() : evenShares());
+  const past = pastOf(origin, last), motion = decodeMotion(numbers, past, origin, last);
+  const marks = decodeMarks(numbers, past, origin, last, head.damage);
   const islands = decodeIslands(reader);
-  const contacts = decodeContacts(reader, { ...motion, unit: bodies.unit, count: bodies.id.length },
-                                  isKey ? null : { contacts: before.contacts, placeNow: placesNow(origin, before) });
-  return { isKey, time, step, stepLength, bodies, ...motion, ...marks, islands, contacts, channels,
+  const contacts = decodeContacts(reader, numbers, { ...motion, unit: bodies.unit, count: bodies.id.length },
+                                  last ? { contacts: last.contacts, placeNow: placesNow(origin, last) } : null);
+  return { isKey, time, step, stepLength, bodies, ...motion, ...marks, past, shares: numbers.shares, islands, contacts, channels,
            lines: decodeLines(reader) };
 }
 
@@ -138,19 +142,25 @@ function placesNow(origin, before) {
   return (place) => now[place];
 }
 
-/** `values` of the frame before, in the order of the new list; 0 for a body that came. */
-function reordered(values, origin, oldCount, numArrays) {
+/** `values` of the frame before, in the order of the new list; `ofNew` for a body that came. */
+function reordered(values, origin, oldCount, numArrays, ofNew = 0) {
   if (!origin) return values;
   const count = origin.length;
-  const result = new values.constructor(numArrays * count);
+  const result = new values.constructor(numArrays * count).fill(ofNew);
   for (let k = 0; k < numArrays; ++k) {
     for (let b = 0; b < count; ++b) if (origin[b] >= 0) result[k * count + b] = values[k * oldCount + origin[b]];
   }
   return result;
 }
 
+/** The digits of the newest numbers of the bodies, before this frame's are read. */
+function pastOf(origin, before) {
+  if (!before) return new Uint8Array(BODY_KINDS * origin.length).fill(NO_PAST);
+  return origin ? reordered(before.past, origin, before.bodies.id.length, BODY_KINDS, NO_PAST) : before.past.slice();
+}
+
 /** Positions and turns: predicted by 2 a - b from the two frames before. */
-function decodeMotion(reader, origin, before) {
+function decodeMotion(numbers, past, origin, before) {
   const oldCount = before ? before.bodies.id.length : 0;
   const count = origin ? origin.length : oldCount;
   const one = (values, arrays, Type) => before ? reordered(values, origin, oldCount, arrays) : new Type(arrays * count);
@@ -159,34 +169,35 @@ function decodeMotion(reader, origin, before) {
   const ageBefore = one(before?.age, 1, Uint8Array);
   const age = new Uint8Array(count);
   for (let b = 0; b < count; ++b) age[b] = before && (!origin || origin[b] >= 0) ? 1 : 0;
-  const predict = (now, two, Type, arrays) => {
+  const predict = (now, two, Type, arrays, kind) => {
     const values = new Type(arrays * count);
     for (let k = 0, i = 0; k < arrays; ++k) {
       for (let b = 0; b < count; ++b, ++i) {
         // `now` is 0 for a body that came.
-        values[i] = reader.signed() + (ageBefore[b] && age[b] ? 2 * now[i] - two[i] : now[i]);
+        values[i] = numbers.next(kind + k, past, (kind + k) * count + b) + (ageBefore[b] && age[b] ? 2 * now[i] - two[i] : now[i]);
       }
     }
     return values;
   };
-  const place = predict(placeBefore, placeTwo, Float64Array, 3), turn = predict(turnBefore, turnTwo, Int32Array, 4);
+  const place = predict(placeBefore, placeTwo, Float64Array, 3, Kind.position);
+  const turn = predict(turnBefore, turnTwo, Int32Array, 4, Kind.turn);
   return { place, turn, placeBefore, turnBefore, age };
 }
 
 /** Speed, island and damage: predicted by the frame before. */
-function decodeMarks(reader, origin, before, hasDamage) {
+function decodeMarks(numbers, past, origin, before, hasDamage) {
   const oldCount = before ? before.bodies.id.length : 0;
   const count = origin ? origin.length : oldCount;
-  const decode = (old, Type) => {
+  const decode = (kind, old, Type) => {
     const last = before ? reordered(old, origin, oldCount, 1) : null;
     const values = new Type(count);
-    for (let b = 0; b < count; ++b) values[b] = reader.signed() + (last ? last[b] : 0);
+    for (let b = 0; b < count; ++b) values[b] = numbers.next(kind, past, kind * count + b) + (last ? last[b] : 0);
     return values;
   };
   return {
-    speedCode: decode(before?.speedCode, Int32Array),
-    island: decode(before?.island, Int32Array),
-    damage: hasDamage ? decode(before?.damage, Uint8Array) : null,
+    speedCode: decode(Kind.speed, before?.speedCode, Int32Array),
+    island: decode(Kind.island, before?.island, Int32Array),
+    damage: hasDamage ? decode(Kind.damage, before?.damage, Uint8Array) : null,
   };
 }
 
@@ -231,4 +242,6 @@ export function speedOf(frame, b) {
 }
 
 /** The bytes that a frame holds in memory, about. */
-export function bytesOf(frame) { return 120 * frame.bodies.id.length + 100 * frame.contacts.count + 4 * frame.channels.length + 2000; }
+export function bytesOf(frame) {
+  return 130 * frame.bodies.id.length + 110 * frame.contacts.count + 4 * frame.channels.length + frame.shares.byteLength + 2000;
+}

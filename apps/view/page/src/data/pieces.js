@@ -1,6 +1,6 @@
 /** Splits a stream of bytes into the pieces of a replay. */
 
-export const SIGNATURE = 'NILASRP3';
+export const SIGNATURE = 'NILASRP4';
 const HEAD_BYTES = 5;
 
 /** The replay is of another version, or no replay at all. `message` is a sentence for the user. */
