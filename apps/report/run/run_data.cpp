@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string_view>
 
 #include "core/base/error.h"
 #include "core/base/file_bytes.h"
@@ -54,12 +55,16 @@ void note_missing(RunData& run) {
   demand("events.csv", run.scene && run.scene->fracture && run.scene->fracture->cuts_floes());
 }
 
-/// Notes columns in which some cells are no number. A column without any number holds words.
+/// Columns that hold words. Some of these may look like numbers, such as a hash of digits alone.
+constexpr std::array<std::string_view, 4> k_words{"status", "state_hash", "kind", "pieces"};
+
+/// Notes columns in which some cells are no number. A column without any number holds words, too.
 void note_no_numbers(RunData& run) {
   const auto check = [&](const char* file, const RunTable& table) {
     std::string columns;
     std::size_t all = 0;
     for (const std::string& name : table.names()) {
+      if (std::find(k_words.begin(), k_words.end(), name) != k_words.end()) continue;
       const std::vector<double>& values = table[name];
       const auto bad = static_cast<std::size_t>(
           std::count_if(values.begin(), values.end(), [](double value) { return !std::isfinite(value); }));
