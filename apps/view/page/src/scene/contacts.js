@@ -8,8 +8,8 @@ import { spacedContacts } from './spaced.js';
 
 const COLOUR_OF_STATUS = [COLOURS.open, COLOURS.stick, COLOURS.slip, COLOURS.crush];
 const DOT = 5.5, CRUSH_RING = 15;
-/** Rings are chosen anew when the camera comes so much nearer or goes so much farther. */
-const OTHER_SCALE = 1.2;
+/** The camera is elsewhere where it came nearer or went farther by this factor, or where an axis has turned by 5 degrees. */
+const OTHER_SCALE = 1.2, OTHER_TURN = Math.cos(5 * Math.PI / 180);
 /** The most forces, normals and chains of a frame that are drawn. More cannot be told apart, and take seconds by software. */
 const MOST_FORCES = 20000;
 
@@ -26,7 +26,8 @@ export class ContactLayer {
   /** The contacts where ice is crushed, if they are marked. */
   crushed = [];
   #contacts = null;
-  #ringDistance = 0;
+  /** The camera for which rings were chosen. */
+  #placedFor = null;
 
   get objects() { return this.layers.map((layer) => layer.object); }
   get layers() { return [this.points, this.rings, this.normals, this.arrows, this.chains]; }
@@ -42,7 +43,7 @@ export class ContactLayer {
     const { count, status } = frame.contacts;
     this.#contacts = frame.contacts;
     this.crushed = [];
-    this.#ringDistance = 0;
+    this.#placedFor = null;
     for (let i = 0; i < count; ++i) {
       if (shown.contacts) this.#addPoint(frame.contacts, i);
       if (shown.crushed && status[i] === ContactStatus.crush) this.crushed.push(i);
@@ -61,13 +62,22 @@ export class ContactLayer {
     this.points.add(point[3 * i], point[3 * i + 1], point[3 * i + 2], DOT, COLOUR_OF_STATUS[status[i]] ?? COLOURS.open);
   }
 
-  /** Marks crushed contacts so that rings do not hide each other. `pixel`: its size where the camera looks [m]. */
-  placeRings(pixel) {
-    const distance = CRUSH_RING * pixel;
-    if (this.crushed.length === 0 || Math.max(distance / this.#ringDistance, this.#ringDistance / distance) < OTHER_SCALE) return;
-    this.#ringDistance = distance;
+  /**
+   * Marks crushed contacts so that rings do not cover each other on the screen. Rings are chosen anew where the camera has
+   * turned or gone nearer by much.
+   * @param {number} pixel its size where the camera looks [m]
+   * @param {number[][]} axes unit vectors to the right and up on the screen
+   */
+  placeRings(pixel, axes) {
+    if (this.crushed.length === 0) return;
+    const distance = CRUSH_RING * pixel, last = this.#placedFor;
+    const isTurned = (k) => axes[k].reduce((sum, x, n) => sum + x * last.axes[k][n], 0) < OTHER_TURN;
+    if (last && Math.max(distance / last.distance, last.distance / distance) < OTHER_SCALE && ![0, 1].some(isTurned)) return;
+    this.#placedFor = { distance, axes };
     this.rings.clear();
-    for (const i of spacedContacts(this.#contacts, this.crushed, distance)) this.rings.add(...this.#contacts.point.subarray(3 * i, 3 * i + 3), CRUSH_RING, COLOURS.crush);
+    for (const i of spacedContacts(this.#contacts, this.crushed, distance, axes)) {
+      this.rings.add(...this.#contacts.point.subarray(3 * i, 3 * i + 3), CRUSH_RING, COLOURS.crush);
+    }
     this.rings.done();
   }
 

@@ -1,31 +1,24 @@
 /** Leaves out marks that would cover each other. */
 
 /**
- * Of the contacts in `list` those that keep a distance from each other, the strongest first. Each of the others has one of
- * them within that distance.
+ * Of the contacts in `list` those that keep a distance from each other on the screen, the strongest first. Each of the others
+ * has one of them within that distance.
  * @param {{point: Float64Array, force: Float32Array}} contacts
  * @param {number[]} list
  * @param {number} distance [m]
+ * @param {number[][]} axes two unit vectors along the screen
  */
-export function spacedContacts({ point, force }, list, distance) {
+export function spacedContacts({ point, force }, list, distance, axes) {
   if (!(distance > 0)) return list;
   const size = new Map(list.map((i) => [i, Math.hypot(force[3 * i], force[3 * i + 1], force[3 * i + 2])]));
   const cells = new Map(), kept = [];
-  const cellOf = (i, k) => Math.floor(point[3 * i + k] / distance);
-  const isFree = (i) => {
-    const [x, y, z] = [0, 1, 2].map((k) => cellOf(i, k));
-    for (let cell = 0; cell < 27; ++cell) {
-      for (const j of cells.get(`${x + cell % 3 - 1} ${y + Math.floor(cell / 3) % 3 - 1} ${z + Math.floor(cell / 9) - 1}`) ?? []) {
-        if (Math.hypot(point[3 * i] - point[3 * j], point[3 * i + 1] - point[3 * j + 1], point[3 * i + 2] - point[3 * j + 2]) < distance) return false;
-      }
-    }
-    return true;
-  };
   for (const i of [...list].sort((a, b) => size.get(b) - size.get(a) || a - b)) {
-    if (!isFree(i)) continue;
+    const [u, v] = axes.map(([x, y, z]) => (x * point[3 * i] + y * point[3 * i + 1] + z * point[3 * i + 2]) / distance);
+    const cell = (right, up) => `${Math.floor(u) + right} ${Math.floor(v) + up}`;
+    const isCovered = (right, up) => cells.get(cell(right, up))?.some((other) => Math.hypot(u - other[0], v - other[1]) < 1) ?? false;
+    if ([-1, 0, 1].some((right) => [-1, 0, 1].some((up) => isCovered(right, up)))) continue;
     kept.push(i);
-    const name = [0, 1, 2].map((k) => cellOf(i, k)).join(' ');
-    cells.set(name, [...cells.get(name) ?? [], i]);
+    cells.set(cell(0, 0), [...cells.get(cell(0, 0)) ?? [], [u, v]]);
   }
   return kept;
 }

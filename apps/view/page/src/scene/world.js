@@ -162,7 +162,7 @@ export class World {
     for (const dots of [this.contacts.points, this.contacts.rings, this.lines.dots]) dots.ratio = this.stage.renderer.getPixelRatio();
     const distance = Math.max(camera.position.distanceTo(controls.target), 1e-9);
     const size = this.extent.floeSize / (pixel * distance);
-    this.contacts.placeRings(pixel * distance);
+    this.contacts.placeRings(pixel * distance, [0, 1].map((k) => new THREE.Vector3().setFromMatrixColumn(camera.matrixWorld, k).toArray()));
     this.floes.edgeOpacity = Math.min(Math.max((size - 2) / 24, 0.06), 0.85);
   }
 
