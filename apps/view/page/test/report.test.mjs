@@ -63,7 +63,7 @@ check('every section is there with its plots, and nothing is asked of a network'
   const shown = await page.evaluate(() => ({
     sections: [...document.querySelectorAll('main > section')].map(({ id }) => id),
     empty: [...document.querySelectorAll('.plot')].filter((box) => !box.querySelector('canvas')).map(({ id }) => id),
-    plots: window.nilasReport.plots.count,
+    plots: window.nilasReport.plots.count, covered: window.nilasReport.plots.heights.concentration,
     headline: document.querySelector('#headline p').textContent,
     map: document.querySelectorAll('#hull-map rect').length,
     drawings: document.querySelectorAll('svg.drawing .hull').length,
@@ -71,6 +71,7 @@ check('every section is there with its plots, and nothing is asked of a network'
   assert.deepEqual(shown.sections, SECTIONS);
   assert.deepEqual(shown.empty, []);
   assert.ok(shown.plots >= 12, `${shown.plots} plots`);
+  assert.ok(shown.covered[1] <= 120, `ice covers up to ${shown.covered[1]} % of the water`);
   assert.match(shown.headline, /^Over .* the ice pushed the vessel back with .* on average/);
   assert.ok(shown.map > 5);
   assert.equal(shown.drawings, 4, 'from above and from the side, at the start and at the largest load');

@@ -66,11 +66,20 @@ function decadesOf(_, low, high) {
   return high > 0 ? uPlot.rangeLog(Math.max(low, high / 10 ** DECADES), high, 10, true) : [0.1, 1];
 }
 
+const MARGIN = 0.1;
+
+/** The range of an axis. One of a value that never changes reaches to zero. */
+function rangeOf(_, low, high) {
+  if (low == null || high - low > 1e-9 * Math.max(Math.abs(low), Math.abs(high))) return uPlot.rangeNum(low ?? 0, high ?? 1, MARGIN, true);
+  const end = (1 + MARGIN) * high;
+  return end > 0 ? [0, end] : end < 0 ? [end, 0] : [0, 1];
+}
+
 /** The range of an axis that has this one while all of x is shown, and that of the values in sight where x is enlarged. */
 function rangeOfWhole(whole, curves) {
   const xs = curves.flatMap(({ x }) => [x[0], x[x.length - 1]]), from = Math.min(...xs), to = Math.max(...xs);
   // The x of the first and the last point in sight are known before the new scale of x is.
-  return ({ series: [x] }, low, high) => (x.min <= from && x.max >= to ? whole : uPlot.rangeNum(low, high, 0.1, true));
+  return ({ series: [x] }, low, high) => (x.min <= from && x.max >= to ? whole : uPlot.rangeNum(low, high, MARGIN, true));
 }
 
 /** All plots of the page. Those over the time of the run show the same stretch of it. */
@@ -114,7 +123,7 @@ export class Plots {
                    values: (_, ticks) => ticks.map((tick) => tick == null ? '' : formatRound(tick)) };
     return {
       width: Math.max(width, 200), height: isNarrow() ? HEIGHT_NARROW : HEIGHT,
-      scales: { x: { time: false, distr: logX ? 3 : 1 }, y: logY ? { distr: 3, range: decadesOf } : range ? { range: rangeOfWhole(range, curves) } : {} },
+      scales: { x: { time: false, distr: logX ? 3 : 1 }, y: logY ? { distr: 3, range: decadesOf } : { range: range ? rangeOfWhole(range, curves) : rangeOf } },
       axes: [{ ...axis, label: xLabel, size: 32 }, { ...axis, label: yLabel, size: 62 }],
       cursor: { drag: { x: true, y: false }, points: { size: 6 } }, padding: [8, 12, 0, 0],
     };
