@@ -106,9 +106,11 @@ check('labels cover neither each other nor a mark', async () => {
   const { page } = await open();
   const boxes = await page.$$eval('#plot-front .label text', (list) => list.map((text) => text.getBoundingClientRect().toJSON()));
   assert.equal(boxes.length, (await settings(page)).length);
-  boxes.forEach((a, i) => boxes.slice(i + 1).forEach((b) => {
+  const rings = await page.$$eval('#plot-front [data-setting] .ring', (list) => list.map((ring) => ring.getBoundingClientRect().toJSON()));
+  assert.equal(rings.length, 1);
+  boxes.forEach((a, i) => [...rings, ...boxes.slice(i + 1)].forEach((b) => {
     const wide = Math.min(a.right, b.right) - Math.max(a.left, b.left), high = Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top);
-    assert.ok(wide < 1 || high < 4, `two labels overlap by ${wide} x ${high} pixels`);
+    assert.ok(wide < 1 || high < 4, `a label covers another or the ring by ${wide} x ${high} pixels`);
   }));
   await page.close();
 });

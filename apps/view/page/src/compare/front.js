@@ -3,6 +3,8 @@ import { formatRound } from '../ui/format.js';
 import { placeLabels } from './labels.js';
 import { logScale, svg } from './svg.js';
 
+/** The ring around the recommended setting [pixels]. */
+const RING = 10;
 const MARGIN = { left: 58, right: 12, top: 10, bottom: 44 };
 /** A pointer farther from every mark points at none [pixels]. */
 const NEAR = 24;
@@ -92,7 +94,7 @@ export class FrontPlot {
                               keydown: (event) => { if (event.key === 'Enter') this.#actions.pick(point.setting); } },
                        slow > fast ? svg('line', { x1: this.x(fast), x2: this.x(slow), y1: y, y2: y }) : null,
                        high > low ? svg('line', { x1: x, x2: x, y1: this.#inside(this.y(low)), y2: this.#inside(this.y(high)) }) : null,
-                       point.chosen ? svg('circle', { class: 'ring', cx: x, cy: y, r: 10 }) : null, shapeOf(point.kind, x, y));
+                       point.chosen ? svg('circle', { class: 'ring', cx: x, cy: y, r: RING }) : null, shapeOf(point.kind, x, y));
       this.#marks.set(point.setting, mark);
       return mark;
     });
@@ -103,7 +105,7 @@ export class FrontPlot {
   #labels() {
     const marks = this.points.map((point) => {
       const x = this.x(point.time), y = this.y(point.error);
-      return { x, y, text: String(point.setting), bars: [
+      return { x, y, ...(point.chosen ? { radius: RING + 1 } : {}), text: String(point.setting), bars: [
         { left: this.x(point.time_low), right: this.x(point.time_high), top: y - 1, bottom: y + 1 },
         { left: x - 1, right: x + 1, top: this.#inside(this.y(point.error_high)), bottom: this.#inside(this.y(point.error_low)) }] };
     });

@@ -13,15 +13,16 @@ function overlap(a, b) {
 }
 
 /**
- * @param {{x: number, y: number, text: string, bars: object[]}[]} marks in pixels, the most important ones first; `bars` are boxes
+ * @param {{x: number, y: number, radius?: number, text: string, bars: object[]}[]} marks in pixels, the most important ones first;
+ * `bars` are boxes
  * @param {{left: number, right: number, top: number, bottom: number}} frame
  * @returns {{x: number, y: number, isFar: boolean, end: number[], box: object}[]} the middle of each label; `isFar`: it needs a
  * line from its mark to `end`
  */
 export function placeLabels(marks, frame) {
-  const around = marks.map(({ x, y }) => boxAt(x, y, 2 * MARK, 2 * MARK)), bars = marks.flatMap((mark) => mark.bars), placed = [];
+  const around = marks.map(({ x, y, radius = MARK }) => boxAt(x, y, 2 * radius, 2 * radius)), bars = marks.flatMap((mark) => mark.bars), placed = [];
   const sum = (box, others) => others.reduce((area, other) => area + overlap(box, other), 0);
-  for (const { x, y, text } of marks) {
+  for (const { x, y, text, radius = MARK } of marks) {
     let best = null;
     for (const ring of RINGS) {
       for (const direction of DIRECTIONS) {
@@ -31,7 +32,7 @@ export function placeLabels(marks, frame) {
         const covered = sum(box, around) + sum(box, placed.map((label) => label.box));
         const cost = PER_AREA * covered + PER_BAR_AREA * sum(box, bars) + PER_PIXEL_OFF * ring + (isOutside ? OUTSIDE : 0);
         const end = [x + (ring - RINGS[0] + 4) * Math.cos(angle), y + (ring - RINGS[0] + 4) * Math.sin(angle)];
-        if (!best || cost < best.cost) best = { x: at[0], y: at[1], box, cost, end, isFar: ring > RINGS[1] };
+        if (!best || cost < best.cost) best = { x: at[0], y: at[1], box, cost, end, isFar: ring > RINGS[1] + 2 * (radius - MARK) };
       }
     }
     placed.push(best);
