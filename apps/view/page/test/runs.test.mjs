@@ -90,13 +90,49 @@ function demandArrowsOfTable({ arrows, time }, name) {
   });
 }
 
+const nilas = (...words) => execFileSync(process.env.NILAS, words, { cwd: folder, stdio: ['ignore', 'pipe', 'inherit'] });
+
 /** Runs a scene. Returns the address of its page. */
 function pageOf(name, scene) {
   writeFileSync(join(folder, `${name}.xml`), scene);
-  const nilas = (...words) => execFileSync(process.env.NILAS, words, { cwd: folder, stdio: ['ignore', 'pipe', 'inherit'] });
   nilas('run', `${name}.xml`, '--quiet', '--out', name);
   nilas('view', name);
   return `file://${join(folder, name, 'replay.html')}`;
+}
+
+/** Opens the report of a run, also on a phone. Returns its first sentence. */
+async function visitReport(name) {
+  nilas('report', name);
+  const { page, faults, requests } = await openPage(browser, `file://${join(folder, name, 'report.html')}`, { width: 640, height: 480, waits: false });
+  await page.waitForFunction(() => [...document.querySelectorAll('.plot')].every((box) => box.querySelector('canvas')));
+  const sentence = await page.$eval('#headline p', (first) => first.textContent);
+  await page.setViewport({ width: 375, height: 720, isMobile: true, hasTouch: true });
+  assert.ok(await page.evaluate(() => document.documentElement.scrollWidth) <= 375);
+  assert.deepEqual(faults, []);
+  assert.deepEqual(requests, []);
+  await page.close();
+  return sentence;
+}
+
+/** Runs a scene for long with its live page, and calls `look(address, run)` meanwhile. */
+async function lookWhileItRuns(name, scene, look) {
+  writeFileSync(join(folder, `${name}.xml`), scene.replace('end="2"', 'end="600"').replace('length="8"', 'length="400"'));
+  const run = spawn(process.env.NILAS, ['run', `${name}.xml`, '--quiet', '--out', name, '--view'], { cwd: folder, stdio: ['ignore', 'ignore', 'pipe'] });
+  try {
+    // The stream stays open: a run whose words nobody reads would end.
+    await look(await new Promise((resolve) => {
+      let said = '';
+      run.stderr.on('data', (part) => {
+        said += part;
+        if (/http\S+\n/.test(said)) resolve(said.match(/http\S+/)[0]);
+      });
+    }));
+    assert.equal(run.exitCode, null, 'to close the page ended the run');
+  } finally {
+    const ended = once(run, 'exit');
+    run.kill('SIGINT');
+    await ended;
+  }
 }
 
 const frame = (page) => page.evaluate(() => window.nilas.frame);
@@ -140,50 +176,54 @@ check('a tow is shown, with the forces of its table', async () => {
   const state = await visit(pageOf('towing', TOWING), { silent: ['follow', 'damage'] });
   assert.match(state.legendText, /force of the carriage/);
   demandArrowsOfTable(state, 'towing');
+  assert.match(await visitReport('towing'), /the ice pushed the vessel/);
 });
 
-check('a tow is shown while it goes on, from this machine alone', async () => {
-  writeFileSync(join(folder, 'long.xml'), TOWING.replace('end="2"', 'end="600"').replace('length="8"', 'length="400"'));
-  const run = spawn(process.env.NILAS, ['run', 'long.xml', '--quiet', '--out', 'long', '--view'], { cwd: folder, stdio: ['ignore', 'ignore', 'pipe'] });
-  try {
-    // The stream stays open: a run whose words nobody reads would end.
-    const live = await new Promise((resolve) => {
-      let said = '';
-      run.stderr.on('data', (part) => {
-        said += part;
-        if (/http\S+\n/.test(said)) resolve(said.match(/http\S+/)[0]);
+check('a tow is shown while it goes on, from this machine alone', () => lookWhileItRuns('long', TOWING, async (live) => {
+  const { page, faults, requests } = await openPage(browser, live, { width: 640, height: 480 });
+  await page.waitForFunction(() => window.nilas.frameCount > 20);
+  await page.evaluate(() => [...document.querySelectorAll('#controls button')].find((button) => button.textContent === 'Pause the run').click());
+  // Who looks back is not pulled on.
+  await page.keyboard.press('Home');
+  await page.waitForFunction(() => window.nilas.frame === 0);
+  await page.evaluate(() => window.nilas.seek(1.23));
+  assert.equal(await frame(page), 12);
+  for (const [name, changes] of Object.entries(await turnSwitches(page)))
+    if (!['follow', 'damage'].includes(name)) assert.ok(changes.some(Boolean), `"${name}" changes nothing`);
+  await page.evaluate(() => {
+    for (const name of ['graphs', 'panel']) window.nilas.set(name, false);
+    window.nilas.set('view', 'top');
+  });
+  const floe = await floeOnScreen(page, 2);
+  await page.mouse.click(floe.x, floe.y);
+  await page.waitForFunction(() => !document.getElementById('card').hidden);
+  const state = await page.evaluate(() => ({ ...window.nilas.state(), time: window.nilas.frame / 10 }));
+  assert.equal(state.picked, floe.id);
+  demandArrowsOfTable(state, 'long');
+  await page.setViewport({ width: 375, height: 720, isMobile: true, hasTouch: true });
+  assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 375);
+  assert.deepEqual(faults, []);
+  assert.deepEqual(requests, []);
+  await page.close();
+}));
+
+check('level ice and a moored ship are shown while they go on, on a phone', async () => {
+  for (const [name, scene] of [['long-level', LEVEL_ICE], ['long-moored', MOORED]]) {
+    await lookWhileItRuns(name, scene, async (live) => {
+      const { page, faults, requests } = await openPage(browser, live, { width: 375, height: 720, isMobile: true });
+      await page.waitForFunction(() => window.nilas.frameCount > 14);
+      await page.evaluate(() => [...document.querySelectorAll('#controls button')].find((button) => button.textContent === 'Pause the run').click());
+      const state = await page.evaluate(async () => {
+        await window.nilas.seek(1.23);
+        return { ...window.nilas.state(), time: window.nilas.frame / 10 };
       });
+      assert.equal(state.time, 1.2);
+      demandArrowsOfTable(state, name);
+      assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 375);
+      assert.deepEqual(faults, []);
+      assert.deepEqual(requests, []);
+      await page.close();
     });
-    const { page, faults, requests } = await openPage(browser, live, { width: 640, height: 480 });
-    await page.waitForFunction(() => window.nilas.frameCount > 20);
-    await page.evaluate(() => [...document.querySelectorAll('#controls button')].find((button) => button.textContent === 'Pause the run').click());
-    // Who looks back is not pulled on.
-    await page.keyboard.press('Home');
-    await page.waitForFunction(() => window.nilas.frame === 0);
-    await page.evaluate(() => window.nilas.seek(1.23));
-    assert.equal(await frame(page), 12);
-    for (const [name, changes] of Object.entries(await turnSwitches(page)))
-      if (!['follow', 'damage'].includes(name)) assert.ok(changes.some(Boolean), `"${name}" changes nothing`);
-    await page.evaluate(() => {
-      for (const name of ['graphs', 'panel']) window.nilas.set(name, false);
-      window.nilas.set('view', 'top');
-    });
-    const floe = await floeOnScreen(page, 2);
-    await page.mouse.click(floe.x, floe.y);
-    await page.waitForFunction(() => !document.getElementById('card').hidden);
-    const state = await page.evaluate(() => ({ ...window.nilas.state(), time: window.nilas.frame / 10 }));
-    assert.equal(state.picked, floe.id);
-    demandArrowsOfTable(state, 'long');
-    await page.setViewport({ width: 375, height: 720, isMobile: true, hasTouch: true });
-    assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 375);
-    assert.deepEqual(faults, []);
-    assert.deepEqual(requests, []);
-    await page.close();
-    assert.equal(run.exitCode, null, 'to close the page ended the run');
-  } finally {
-    const ended = once(run, 'exit');
-    run.kill('SIGINT');
-    await ended;
   }
 });
 
@@ -191,6 +231,7 @@ check('a run in level ice is shown, with the pieces that break off', async () =>
   const state = await visit(pageOf('level', LEVEL_ICE), { silent: ['follow', 'tank', 'lines', 'damage'] });
   assert.ok(state.bodiesInFrame > 4, `${state.bodiesInFrame} bodies`);
   demandArrowsOfTable(state, 'level');
+  assert.match(await visitReport('level'), /the ice pushed the vessel/);
 });
 
 check('a moored ship in waves is shown with its lines, and with the waves on the water', async () => {
@@ -200,4 +241,5 @@ check('a moored ship in waves is shown with its lines, and with the waves on the
   assert.equal(state.lines, 4);
   assert.equal(state.waves, 1);
   assert.equal(state.bodies, 3);
+  assert.match(await visitReport('moored'), /the ice pushed the vessel/);
 });
