@@ -39,7 +39,7 @@ struct AutoSettings {
   double sticking_share = 0.3;    ///< ... where at least this share of its contacts sticks
   double stiff_least_fall = 0.2;  ///< AdmmSettings::least_fall there
   int more_sweeps = 500;
-  int first_factorisations = 80;   ///< factorisations of newton in rung 4 and after ipm
+  int first_factorisations = 200;  ///< factorisations of newton in rung 4 and after ipm
   int more_factorisations = 400;   ///< factorisations of newton in rung 5
   int path_factorisations = 1500;  ///< factorisations of newton for each friction of rung 6
   int ipm_factorisations = 200;
