@@ -273,6 +273,15 @@ LAYOUTS = {
         ("remark", "{remark}"),
         ("revision", "`{revision}`"),
     ],
+    "jam-front": [
+        ("engine", "{engine}"),
+        ("sweeps or tolerance [m/s]", "{setting}"),
+        ("friction", "{friction}"),
+        ("step, median [ms]", "{median_ms:.0f}"),
+        ("95th percentile [ms]", "{p95_ms:.0f}"),
+        ("residual, median [m/s]", "{residual_m_s:.1e}"),
+        ("steps of 100 short of the tolerance", "{missed_steps}"),
+    ],
     "towing-tolerance": [
         ("setting", "{setting}"),
         ("solver in the median step [ms]", "{median_ms}"),

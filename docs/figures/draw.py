@@ -22,7 +22,7 @@ sys.path.insert(0, str(HERE))
 PICTURES = [
     "frames-and-signs.svg", "towing-rig.svg", "one-step.svg", "cone-and-pyramid.svg", "contact-gap.svg",
     "crushing-face.svg", "bending-wedges.svg", "cutting.svg", "wetted-surface.svg", "field-kinds.svg",
-    "hull-decomposition.svg", "load-error-window.svg", "compare-page.svg", "run-towing.png", "level-ice-run.png",
+    "hull-decomposition.svg", "jam-front.svg", "load-error-window.svg", "compare-page.svg", "run-towing.png", "level-ice-run.png",
 ]
 
 
