@@ -10,6 +10,7 @@
 #include "contact/detect/fcl_contacts.h"
 #include "contact/detect/search/cylinder_axis.h"
 #include "contact/detect/search/way_out.h"
+#include "contact/detect/surface/face_axes.h"
 #include "contact/detect/surface/pair_points.h"
 #include "contact/detect/surface/primitive_contacts.h"
 
@@ -68,13 +69,24 @@ void primitive_pair(const bodies::Bodies& bodies, const Part& a, const Part& b, 
   }
 }
 
+/// Returns whether the pair had an axis at the last call, or a memory of one that was not proven.
+bool was_seen(const PairMemory& memory) {
+  return !memory.separating.isZero(0) || memory.contact_axis.kind != AxisKind::direction;
+}
+
+/// FCL's first direction shortens the search of many faces. Over few faces the search is the quicker of the two, so FCL
+/// gives only new pairs their axis.
+bool asks_fcl_first(const PairSearch& search, const Part& a, const Part& b, const PairMemory& memory) {
+  return search.narrow == NarrowPhase::nilas && !(was_seen(memory) && has_few_faces(a) && has_few_faces(b));
+}
+
 /// Returns the depth by which the parts overlap where their contact is left to others [m], else 0.
 double polytope_or_cylinder_pair(const bodies::Bodies& bodies, const Part& a, const Part& b, double margin,
                                  const PairSearch& search, AxisSearchRoom& room, PairMemory& memory,
                                  AxisSearchCounts& counts, ContactPoints& points, bool alone) {
   const PairView pair = view_pair(a, b, pose_of_b_in_a(bodies, a.body, b.body), margin);
   const bool both_faceted = a.facets && b.facets;
-  const bool ask_first = search.narrow == NarrowPhase::nilas;
+  const bool ask_first = asks_fcl_first(search, a, b, memory);
   Axis axis = both_faceted ? find_axis(pair, memory.contact_axis, search.fcl, ask_first, room, counts)
                            : find_cylinder_axis(pair, memory.contact_axis, search.fcl, ask_first, room, counts);
   const Mat3& R = bodies.R_GB[a.body];

@@ -110,13 +110,15 @@ void search_many_faces(const FaceSearch& search, const Bounds& bounds, AxisConte
 void search_faces(const PairView& pair, AxisKind kind, const Bounds& bounds, AxisContest& contest) {
   const FaceSearch search{pair, kind};
   if (!search.x().facets || contest.highest() > bounds.enough) return;
-  if (search.x().facets->normals.rows() <= k_few_faces)
+  if (has_few_faces(search.x()))
     search_few_faces(search, bounds, contest);
   else
     search_many_faces(search, bounds, contest);
 }
 
 }  // namespace
+
+bool has_few_faces(const Part& part) { return part.facets && part.facets->normals.rows() <= k_few_faces; }
 
 Axis face_axis(const PairView& pair, AxisKind kind, int face) { return try_face({pair, kind}, face).axis; }
 

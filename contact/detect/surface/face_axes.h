@@ -12,6 +12,8 @@ namespace nilas::detect {
 /// `room`: storage.
 Axis best_face_axis(const PairView& pair, double enough, std::vector<Axis>& room,
                     double least = -std::numeric_limits<double>::infinity());
+/// Returns whether the part is a polytope of so few faces that a search over all of them is quicker than any guess.
+bool has_few_faces(const Part& part);
 /// The axis of one face: of A for kind face_a, of B for face_b.
 Axis face_axis(const PairView& pair, AxisKind kind, int face);
 
