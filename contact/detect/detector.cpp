@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <numeric>
 #include <span>
 #include <tuple>
 
@@ -86,9 +85,7 @@ struct ContactDetector::Implementation {
   BroadPhase broad;
   FclShapes fcl;
   PairMemories now, before;
-  std::vector<std::ptrdiff_t>
-      last_starts;         ///< places where the pairs of each first body begin in the pairs of the last call
-  std::vector<int> order;  ///< order in which the pairs are searched
+  std::vector<std::ptrdiff_t> last_place;  ///< place of each pair in the pairs of the last call, -1: not there
   std::vector<Stretch> stretches;
   std::vector<FoundPoints> found;
   std::vector<std::pair<int, int>> left_out;  ///< pairs of bodies that are left to the caller
@@ -96,9 +93,9 @@ struct ContactDetector::Implementation {
 
   void forget_all();
   void learn_bodies(const bodies::Bodies& bodies);
-  void index_last_pairs();
-  /// Moves out the pair's memory of the last call, if it has one.
-  PairMemory take_remembered(const PartPair& pair);
+  void find_last_pairs();
+  /// Moves out the memory that pair i has of the last call, if any.
+  PairMemory take_remembered(std::size_t i);
   /// The pair's memory of this call.
   PairMemory remembered(const Part& a, const Part& b) const;
   void list_pairs(const bodies::Bodies& bodies, double margin);
@@ -130,11 +127,8 @@ void ContactDetector::Implementation::learn_bodies(const bodies::Bodies& bodies)
   known.add_new(bodies);
 }
 
-PairMemory ContactDetector::Implementation::take_remembered(const PartPair& pair) {
-  const auto begin = before.pairs.begin() + last_starts[pair.body_a],
-             end = before.pairs.begin() + last_starts[pair.body_a + 1];
-  const auto at = std::lower_bound(begin, end, pair);
-  return at != end && *at == pair ? std::move(before.memory[at - before.pairs.begin()]) : PairMemory{};
+PairMemory ContactDetector::Implementation::take_remembered(std::size_t i) {
+  return last_place[i] >= 0 ? std::move(before.memory[last_place[i]]) : PairMemory{};
 }
 
 PairMemory ContactDetector::Implementation::remembered(const Part& a, const Part& b) const {
@@ -144,18 +138,23 @@ PairMemory ContactDetector::Implementation::remembered(const Part& a, const Part
   return at != now.pairs.end() && *at == pair ? now.memory[at - now.pairs.begin()] : PairMemory{};
 }
 
-void ContactDetector::Implementation::index_last_pairs() {
-  last_starts.assign(known.ids.size() + 1, 0);
-  for (const PartPair& pair : before.pairs) ++last_starts[pair.body_a + 1];
-  std::partial_sum(last_starts.begin(), last_starts.end(), last_starts.begin());
+/// Both lists rise, so one pass over them serves.
+void ContactDetector::Implementation::find_last_pairs() {
+  last_place.resize(now.pairs.size());
+  std::size_t last = 0;
+  for (std::size_t i = 0; i < now.pairs.size(); ++i) {
+    while (last < before.pairs.size() && before.pairs[last] < now.pairs[i]) ++last;
+    const bool known_then = last < before.pairs.size() && before.pairs[last] == now.pairs[i];
+    last_place[i] = known_then ? static_cast<std::ptrdiff_t>(last) : -1;
+  }
 }
 
 void ContactDetector::Implementation::list_pairs(const bodies::Bodies& bodies, double margin) {
   learn_bodies(bodies);
   before.pairs.swap(now.pairs);
   before.memory.swap(now.memory);
-  broad.list_pairs(bodies, known.parts, margin, threads, now.pairs, order);
-  index_last_pairs();
+  broad.list_pairs(bodies, known.parts, margin, threads, now.pairs);
+  find_last_pairs();
   now.memory.resize(now.pairs.size());
 }
 
@@ -169,14 +168,13 @@ void ContactDetector::Implementation::search_pairs(const bodies::Bodies& bodies,
     Stretch& stretch = stretches[s];
     stretch.points.clear();
     stretch.counts = {};
-    for (std::ptrdiff_t k = s * count / wanted; k < (s + 1) * count / wanted; ++k) {
-      const int i = order[k];
+    for (std::ptrdiff_t i = s * count / wanted; i < (s + 1) * count / wanted; ++i) {
       if (left && left(now.pairs[i].body_a, now.pairs[i].body_b)) {
         now.memory[i] = {};
         found[i] = {static_cast<int>(s), 0, true, 0, 0};
         continue;
       }
-      now.memory[i] = take_remembered(now.pairs[i]);
+      now.memory[i] = take_remembered(i);
       const auto first = static_cast<std::ptrdiff_t>(stretch.points.size());
       const PairContacts contacts =
           find_pair_contacts(bodies, known.parts[now.pairs[i].part_a], known.parts[now.pairs[i].part_b], margins[i],

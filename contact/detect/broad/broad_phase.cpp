@@ -99,11 +99,8 @@ std::unique_ptr<Leaf> make_leaf(const bodies::Bodies& bodies, const Part& part, 
 /// Returns the leaf of an entry of FCL's tree.
 const Leaf* leaf_of(void* entry) { return static_cast<const Leaf*>(static_cast<fcl::CollisionObjectd*>(entry)); }
 
-/// A pair, and its index in the order in which the tree finds pairs.
-struct WalkedPair {
-  PartPair pair;
-  int place = 0;
-};
+/// Where more than one leaf in so many changed, one walk over the whole tree is quicker than one per leaf.
+constexpr std::size_t k_leaves_per_changed = 8;
 
 }  // namespace
 
@@ -113,17 +110,21 @@ struct BroadPhase::Tree {
   std::vector<int> planes;
   std::vector<char> refitted;  ///< whether the last call of refit changed a leaf
   std::size_t known_parts = 0;
-  std::vector<std::vector<PartPair>> lists;  ///< the pairs of each piece of the tree, and at last the pairs with planes
-  std::vector<WalkedPair> sorted;            ///< the pairs of all lists
+  std::vector<char> changed;                 ///< per part: its box changed since the pairs of the tree were listed
+  std::vector<PartPair> of_tree, of_planes;  ///< the pairs of the last call, in rising order
+  std::vector<PartPair> anew;                ///< the pairs of changed parts
+  std::vector<std::vector<PartPair>> lists;  ///< the pairs of each piece of the tree
 
   /// Adds the parts that are new and no planes, and calls fit(leaf) for each.
   template <class Fit>
   void add_new_parts(const bodies::Bodies& bodies, const std::vector<Part>& parts, const Fit& fit);
   std::vector<fcl::AABBd> boxes() const;
   void refit(const bodies::Bodies& bodies, const std::vector<Part>& parts, double margin, int threads);
-  void list_tree_pairs(int threads);
+  void update_tree_pairs(int bodies, int threads);
+  void list_tree_pairs(int bodies, int threads);
+  void list_changed_pairs();
   void list_plane_pairs(const bodies::Bodies& bodies, const std::vector<Part>& parts, double margin);
-  void sort_pairs(int bodies, int threads);
+  void sort_lists(int bodies, int threads);
 };
 
 template <class Fit>
@@ -131,6 +132,7 @@ void BroadPhase::Tree::add_new_parts(const bodies::Bodies& bodies, const std::ve
   std::vector<fcl::CollisionObjectd*> fresh;
   for (; known_parts < parts.size(); ++known_parts) {
     const Part& part = parts[known_parts];
+    changed.push_back(1);
     if (part.kind == PartKind::plane) {
       planes.push_back(static_cast<int>(known_parts));
       continue;
@@ -170,40 +172,77 @@ void BroadPhase::Tree::refit(const bodies::Bodies& bodies, const std::vector<Par
                   [&](std::ptrdiff_t, std::ptrdiff_t first, std::ptrdiff_t last) {
                     for (std::ptrdiff_t k = first; k < last; ++k) {
                       Leaf& leaf = *leaves[k];
-                      leaf.moving = can_move(bodies, parts[leaf.part]);
+                      const bool moves = can_move(bodies, parts[leaf.part]);
+                      if (moves != leaf.moving) changed[leaf.part] = 1;
+                      leaf.moving = moves;
                       refitted[k] = leaf.way(bodies) + 0.5 * margin > leaf.fat ? 1 : 0;
                       if (refitted[k]) leaf.fit(bodies, parts[leaf.part], 0.5 * margin);
                     }
                   });
   std::vector<fcl::CollisionObjectd*> moved;
   for (std::size_t k = 0; k < leaves.size(); ++k)
-    if (refitted[k]) moved.push_back(leaves[k].get());
+    if (refitted[k]) {
+      moved.push_back(leaves[k].get());
+      changed[leaves[k]->part] = 1;
+    }
   if (!moved.empty()) manager.update(moved);
 }
 
+/// Appends the pair of two leaves whose boxes overlap, unless they are of one body or cannot move.
+static void add_pair(const Leaf* a, const Leaf* b, std::vector<PartPair>& list) {
+  if (a->body == b->body || (!a->moving && !b->moving)) return;
+  if (b->body < a->body) std::swap(a, b);
+  list.push_back({a->body, b->body, a->part, b->part});
+}
+
+/// Brings the list of the tree's pairs up to date. The boxes change little from step to step, so few pairs do.
+void BroadPhase::Tree::update_tree_pairs(int bodies, int threads) {
+  const auto count = static_cast<std::size_t>(std::count(changed.begin(), changed.end(), 1));
+  if (k_leaves_per_changed * count > leaves.size())
+    list_tree_pairs(bodies, threads);
+  else if (count > 0)
+    list_changed_pairs();
+  std::fill(changed.begin(), changed.end(), 0);
+}
+
 /// Lists the pairs that DynamicAABBTreeCollisionManager::collide() finds, with several threads.
-void BroadPhase::Tree::list_tree_pairs(int threads) {
+void BroadPhase::Tree::list_tree_pairs(int bodies, int threads) {
   const std::size_t wanted =
       threads > 1 ? std::min(k_pieces_per_thread * static_cast<std::size_t>(threads), leaves.size() / k_parts_per_piece)
                   : 1;
   const std::vector<NodePair> pieces = cut_into_pieces(manager.getTree().getRoot(), wanted);
-  lists.resize(pieces.size() + 1);
+  lists.resize(pieces.size());
   parallel_pieces(static_cast<std::ptrdiff_t>(pieces.size()), threads, [&](std::ptrdiff_t k) {
     std::vector<PartPair> list = std::move(lists[k]);  // local, so that no other thread writes to its cache lines
     list.clear();
-    meet_leaves(pieces[k], [&](void* one, void* other) {
-      const Leaf *a = leaf_of(one), *b = leaf_of(other);
-      if (a->body == b->body || (!a->moving && !b->moving)) return;
-      if (b->body < a->body) std::swap(a, b);
-      list.push_back({a->body, b->body, a->part, b->part});
-    });
+    meet_leaves(pieces[k], [&](void* one, void* other) { add_pair(leaf_of(one), leaf_of(other), list); });
     lists[k] = std::move(list);
   });
+  sort_lists(bodies, threads);
+}
+
+/// Lists anew the pairs of parts that changed. All other pairs are those of the last call.
+void BroadPhase::Tree::list_changed_pairs() {
+  const TreeNode* const root = manager.getTree().getRoot();
+  anew.clear();
+  for_each_leaf(root, [&](const TreeNode* node) {
+    const Leaf* const leaf = leaf_of(node->data);
+    if (!changed[leaf->part]) return;
+    meet_leaves({node, root}, [&](void* one, void* other) {
+      const Leaf *a = leaf_of(one), *b = leaf_of(other);
+      if (changed[b->part] && b->part < a->part) return;  // b lists this pair
+      add_pair(a, b, anew);
+    });
+  });
+  std::sort(anew.begin(), anew.end());
+  std::erase_if(of_tree, [&](const PartPair& pair) { return changed[pair.part_a] || changed[pair.part_b]; });
+  const auto kept = static_cast<std::ptrdiff_t>(of_tree.size());
+  of_tree.insert(of_tree.end(), anew.begin(), anew.end());
+  std::inplace_merge(of_tree.begin(), of_tree.begin() + kept, of_tree.end());
 }
 
 void BroadPhase::Tree::list_plane_pairs(const bodies::Bodies& bodies, const std::vector<Part>& parts, double margin) {
-  std::vector<PartPair>& list = lists.back();
-  list.clear();
+  of_planes.clear();
   for (int plane : planes) {
     const int host = parts[plane].body;
     const Vec3 up = bodies.R_GB[host].col(2);
@@ -214,27 +253,26 @@ void BroadPhase::Tree::list_plane_pairs(const bodies::Bodies& bodies, const std:
       const double gap = up.dot(bodies.p_GB[leaf->body] - bodies.p_GB[host]) - extent(parts[leaf->part], down);
       if (!(gap < margin)) continue;
       if (host < leaf->body)
-        list.push_back({host, leaf->body, plane, leaf->part});
+        of_planes.push_back({host, leaf->body, plane, leaf->part});
       else
-        list.push_back({leaf->body, host, leaf->part, plane});
+        of_planes.push_back({leaf->body, host, leaf->part, plane});
     }
   }
+  std::sort(of_planes.begin(), of_planes.end());
 }
 
-/// Sorts the pairs into buckets by the first body, and then within each bucket.
-void BroadPhase::Tree::sort_pairs(int bodies, int threads) {
+/// Sorts the pairs of all lists into buckets by the first body, and then within each bucket.
+void BroadPhase::Tree::sort_lists(int bodies, int threads) {
   std::vector<std::size_t> ends(static_cast<std::size_t>(bodies) + 1, 0);  // ends of the buckets
   for (const auto& list : lists)
     for (const PartPair& pair : list) ++ends[pair.body_a + 1];
   std::partial_sum(ends.begin(), ends.end(), ends.begin());
-  sorted.resize(ends.back());
-  int place = 0;
+  of_tree.resize(ends.back());
   for (const auto& list : lists)
-    for (const PartPair& pair : list) sorted[ends[pair.body_a]++] = {pair, place++};
-  const auto before = [](const WalkedPair& p, const WalkedPair& q) { return p.pair < q.pair; };
+    for (const PartPair& pair : list) of_tree[ends[pair.body_a]++] = pair;
   parallel_chunks(bodies, k_chunk, threads, [&](std::ptrdiff_t, std::ptrdiff_t first, std::ptrdiff_t last) {
     for (std::ptrdiff_t b = first; b < last; ++b)
-      std::sort(sorted.data() + (b == 0 ? 0 : ends[b - 1]), sorted.data() + ends[b], before);
+      std::sort(of_tree.data() + (b == 0 ? 0 : ends[b - 1]), of_tree.data() + ends[b]);
   });
 }
 
@@ -244,21 +282,14 @@ BroadPhase::BroadPhase(BroadPhase&&) noexcept = default;
 BroadPhase& BroadPhase::operator=(BroadPhase&&) noexcept = default;
 
 void BroadPhase::list_pairs(const bodies::Bodies& bodies, const std::vector<Part>& parts, double margin, int threads,
-                            std::vector<PartPair>& pairs, std::vector<int>& walk) {
+                            std::vector<PartPair>& pairs) {
   tree_->refit(bodies, parts, margin, threads);
   tree_->add_new_parts(bodies, parts, [&](Leaf& leaf) { leaf.fit(bodies, parts[leaf.part], 0.5 * margin); });
-  tree_->list_tree_pairs(threads);
+  tree_->update_tree_pairs(bodies.size(), threads);
   tree_->list_plane_pairs(bodies, parts, margin);
-  tree_->sort_pairs(bodies.size(), threads);
-  pairs.resize(tree_->sorted.size());
-  walk.resize(pairs.size());
-  parallel_chunks(static_cast<std::ptrdiff_t>(pairs.size()), k_chunk, threads,
-                  [&](std::ptrdiff_t, std::ptrdiff_t first, std::ptrdiff_t last) {
-                    for (std::ptrdiff_t i = first; i < last; ++i) {
-                      pairs[i] = tree_->sorted[i].pair;
-                      walk[tree_->sorted[i].place] = static_cast<int>(i);
-                    }
-                  });
+  const auto &of_tree = tree_->of_tree, &of_planes = tree_->of_planes;
+  pairs.resize(of_tree.size() + of_planes.size());
+  std::merge(of_tree.begin(), of_tree.end(), of_planes.begin(), of_planes.end(), pairs.begin());
 }
 
 void BroadPhase::save(StateWriter out) const {

@@ -28,10 +28,8 @@ class BroadPhase {
   /// Lists all pairs of parts of different bodies that may be nearer than `margin` [m] and of which at least one can
   /// move. Pairs of planes are left out. `parts` may only grow from call to call. The order rises by bodies, then by
   /// parts.
-  /// `walk`: indices of the pairs in the order in which the tree finds them. Neighbours in space follow each other
-  /// there, so that a part's geometry is still in the cache when its next pair needs it.
   void list_pairs(const bodies::Bodies& bodies, const std::vector<Part>& parts, double margin, int threads,
-                  std::vector<PartPair>& pairs, std::vector<int>& walk);
+                  std::vector<PartPair>& pairs);
 
   /// Saves the boxes and the poses for which they were made.
   void save(StateWriter out) const;

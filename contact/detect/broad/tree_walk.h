@@ -58,6 +58,15 @@ void meet_leaves(const NodePair& pair, const Meet& meet) {
     meet(pair.a->data, pair.b->data);
 }
 
+/// Calls visit(node) for all leaves under a node (null: none).
+template <class Visit>
+void for_each_leaf(const TreeNode* node, const Visit& visit) {
+  if (node == nullptr) return;
+  if (is_leaf(*node)) return visit(node);
+  for_each_leaf(node->children[0], visit);
+  for_each_leaf(node->children[1], visit);
+}
+
 /// Divides the pairs of all leaves under `root` (null: none) into at least `wanted` pieces, as far as there are so
 /// many.
 inline std::vector<NodePair> cut_into_pieces(const TreeNode* root, std::size_t wanted) {
