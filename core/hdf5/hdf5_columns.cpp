@@ -67,7 +67,8 @@ bool append(const Hdf5Handle& file, const std::string& name, std::int64_t first,
   const Hdf5Handle data(H5Dopen2(file.get(), name.c_str(), H5P_DEFAULT), H5Dclose);
   const std::array<hsize_t, 2> size{count, width}, extent{start + count, width};
   if (!data.good() || H5Dset_extent(data.get(), extent.data()) < 0) return false;
-  const Hdf5Handle memory(H5Screate_simple(2, size.data(), nullptr), H5Sclose);
+  // of the rank of the dataset: HDF5 would walk over other shapes element by element
+  const Hdf5Handle memory(H5Screate_simple(width == 1 ? 1 : 2, size.data(), nullptr), H5Sclose);
   return H5Dwrite(data.get(), type, memory.get(), rows_of(data, start, count, width).get(), H5P_DEFAULT, values) >= 0 &&
          H5Dflush(data.get()) >= 0;
 }
