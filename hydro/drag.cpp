@@ -198,11 +198,19 @@ double Drag::power_taken(const bodies::Bodies& bodies, std::size_t b, const Wren
   return drag.force.dot(water_.current - bodies.v_GB[b]) - drag.torque.dot(bodies.w_GB[b]);
 }
 
+/// A bound on the gain of limit(), which spares nearly all bodies the solution with their inertia.
+static double most_gain(const bodies::Bodies& bodies, std::size_t b, const Wrench& drag) {
+  constexpr double k_rounding = 1e-9;
+  const double turning = bodies.inertia_inverse_B[b].trace();
+  return (1 + k_rounding) * (drag.force.squaredNorm() / bodies.mass[b] + turning * drag.torque.squaredNorm());
+}
+
 void Drag::limit(const bodies::Bodies& bodies, double h, bodies::Wrenches& out) const {
   for (std::size_t b = 0; b < out.size(); ++b) {
     Wrench& drag = out[b];
     if (!bodies.is_free(static_cast<int>(b)) || (drag.force.isZero(0) && drag.torque.isZero(0))) continue;
     const double power = power_taken(bodies, b, drag);
+    if (power > h * most_gain(bodies, b, drag)) continue;
     const double gain = drag.force.squaredNorm() / bodies.mass[b] +
                         drag.torque.dot(bodies.inertia_G(static_cast<int>(b)).ldlt().solve(drag.torque));
     if (!(power > 0 && h * gain > power)) continue;
