@@ -1,6 +1,7 @@
 #include "contact/measure/measure.h"
 
 #include <cmath>
+#include <vector>
 
 #include "contact/law/cone.h"
 #include "contact/law/law_map.h"
@@ -9,6 +10,7 @@
 #include "contact/problem/operators.h"
 #include "contact/problem/row_of.h"
 #include "core/base/error.h"
+#include "core/base/parallel.h"
 
 namespace nilas::contact {
 
@@ -63,25 +65,63 @@ static Maps maps_of(Law asked, int facets, const ContactScale& scale, const Vec3
   return {law, natural, ccp};
 }
 
-static void measure_contact(const Maps& maps, const ContactScale& scale, const Vec3& r, const Vec3& u, Residuals& out) {
+/// What one contact adds to sums. Added up in the order of the contacts, they give the same bits for any number of
+/// threads.
+struct Shares {
+  double natural_squared = 0, bipotential = 0, of_moment = 0;
+};
+
+static Shares measure_contact(const Maps& maps, const ContactScale& scale, const Vec3& r, const Vec3& u,
+                              Residuals& out) {
   const double slip = tangential_norm(u);
   keep_worst(out.law_map_m_s, maps.law);
   keep_worst(out.natural_map_m_s, maps.natural);
-  out.natural_map_rms_m_s += maps.natural * maps.natural;
   keep_worst(out.ccp_map_m_s, maps.ccp);
   keep_worst(out.penetration_rate_m_s, forbidden_closing(scale, r[0], u[0]));
   keep_worst(out.complementarity_J, complementarity(scale, r[0], u[0]));
   keep_worst(out.cone_violation_m_s, scale.d * std::max(0.0, tangential_norm(r) - scale.mu * r[0]));
   keep_worst(out.slip_angle_deg, slip_angle_deg(r, u, slip));
   keep_worst(out.creep_m_s, creep(scale, r, slip));
-  out.bipotential_J += bipotential(scale, r, u, slip);
+  return {maps.natural * maps.natural, bipotential(scale, r, u, slip)};
 }
 
-/// Adds the moment's share of a contact's residuals, except those of the maps.
-static void measure_moment(const ContactScale& scale, double r_n, const Vec3& r, const Vec3& u, Residuals& out) {
+/// Adds a moment to the residuals of its contact, except those of the maps. Returns what it adds to the bipotential.
+static double measure_moment(const ContactScale& scale, double r_n, const Vec3& r, const Vec3& u, Residuals& out) {
   const double largest = std::max(std::abs(r[0]), tangential_norm(r));
   keep_worst(out.cone_violation_m_s, scale.d * std::max(0.0, largest - r_n));
-  out.bipotential_J += u.dot(r) + (std::abs(u[0]) + tangential_norm(u)) * r_n;
+  return u.dot(r) + (std::abs(u[0]) + tangential_norm(u)) * r_n;
+}
+
+/// Keeps the worst of two parts of a problem.
+static void keep_worst_of(const Residuals& part, Residuals& out) {
+  for (const auto worst : {&Residuals::law_map_m_s, &Residuals::natural_map_m_s, &Residuals::ccp_map_m_s,
+                           &Residuals::penetration_rate_m_s, &Residuals::complementarity_J,
+                           &Residuals::cone_violation_m_s, &Residuals::slip_angle_deg, &Residuals::creep_m_s})
+    keep_worst(out.*worst, part.*worst);
+}
+
+static void add_shares(const Shares& shares, Residuals& out) {
+  out.natural_map_rms_m_s += shares.natural_squared;
+  out.bipotential_J += shares.bipotential;
+  out.bipotential_J += shares.of_moment;
+}
+
+/// Measures contact c, which is no moment, with its moment if it has one.
+static Shares measure_with_moment(const PreparedProblem& prepared, int c, const VecX& r, const VecX& v,
+                                  Residuals& out) {
+  const ContactProblem& problem = prepared.problem();
+  const Vec3 r_c = r.segment<3>(row_of(c));
+  const ContactScale scale = contact_scale(problem, c, prepared.inverse_mass_scales()[c]);
+  const Vec3 u = compliant_velocity(problem, c, r_c, contact_velocity(problem, c, v.data()));
+  const int m = problem.moment_of(c);
+  if (m < 0) return measure_contact(maps_of(problem.law, problem.facets, scale, r_c, u), scale, r_c, u, out);
+  const ForceAndMoment r_all{r_c, r.segment<3>(row_of(m))};
+  const ForceAndMoment u_all{u, contact_velocity(problem, m, v.data())};
+  Shares shares = measure_contact(
+      {law_map(problem.law, scale, r_all, u_all), natural_map(scale, r_all, u_all), ccp_map(scale, r_all, u_all)},
+      scale, r_c, u, out);
+  shares.of_moment = measure_moment(scale, r_c[0], r_all.moment, u_all.moment, out);
+  return shares;
 }
 
 /// |diag(M)^-1/2 (M v - f - H r)|; `excess` holds -f - H r on entry.
@@ -97,28 +137,24 @@ static double momentum_residual(const ContactProblem& problem, const VecX& v, Ve
   return std::sqrt(sum);
 }
 
-Residuals measure(const PreparedProblem& prepared, const VecX& r, const VecX& v) {
+Residuals measure(const PreparedProblem& prepared, const VecX& r, const VecX& v, int threads) {
   const ContactProblem& problem = prepared.problem();
-  NILAS_DEMAND(r.size() == 3 * problem.num_contacts() && v.size() == problem.num_velocities());
-  VecX excess = -problem.f;
+  const std::ptrdiff_t count = problem.num_contacts();
+  NILAS_DEMAND(r.size() == 3 * count && v.size() == problem.num_velocities());
+  std::vector<Shares> shares(static_cast<std::size_t>(count));
+  std::vector<Residuals> worst(static_cast<std::size_t>(num_chunks(count)));
+  parallel_chunks(count, k_chunk, threads, [&](std::ptrdiff_t chunk, std::ptrdiff_t first, std::ptrdiff_t last) {
+    Residuals of_chunk;
+    for (auto c = static_cast<int>(first); c < last; ++c)
+      if (!problem.is_moment(c)) shares[c] = measure_with_moment(prepared, c, r, v, of_chunk);
+    worst[chunk] = of_chunk;
+  });
   Residuals out;
+  for (const Residuals& of_chunk : worst) keep_worst_of(of_chunk, out);
+  VecX excess = -problem.f;
   for (int c = 0; c < problem.num_contacts(); ++c) {
-    const Vec3 r_c = r.segment<3>(row_of(c));
-    const ContactScale scale = contact_scale(problem, c, prepared.inverse_mass_scales()[c]);
-    const Vec3 u = compliant_velocity(problem, c, r_c, contact_velocity(problem, c, v.data()));
-    add_impulse(problem, c, -r_c, excess.data());
-    if (problem.is_moment(c)) continue;  // judged with its contact
-    const int m = problem.moment_of(c);
-    if (m < 0) {
-      measure_contact(maps_of(problem.law, problem.facets, scale, r_c, u), scale, r_c, u, out);
-      continue;
-    }
-    const ForceAndMoment r_all{r_c, r.segment<3>(row_of(m))};
-    const ForceAndMoment u_all{u, contact_velocity(problem, m, v.data())};
-    measure_contact(
-        {law_map(problem.law, scale, r_all, u_all), natural_map(scale, r_all, u_all), ccp_map(scale, r_all, u_all)},
-        scale, r_c, u, out);
-    measure_moment(scale, r_c[0], r_all.moment, u_all.moment, out);
+    add_impulse(problem, c, -r.segment<3>(row_of(c)), excess.data());
+    add_shares(shares[c], out);
   }
   if (problem.num_contacts() > 0) out.natural_map_rms_m_s = std::sqrt(out.natural_map_rms_m_s / problem.num_points());
   out.momentum_sqrtJ = momentum_residual(problem, v, excess);
@@ -133,12 +169,12 @@ Residuals measure(const ContactProblem& problem, const VecX& r, const VecX& v) {
   return measure(PreparedProblem(problem), r, v);
 }
 
-Residuals measure(const PreparedProblem& prepared, const VecX& r, const VecX& v, std::vector<double>& d) {
+Residuals measure(const PreparedProblem& prepared, const VecX& r, const VecX& v, std::vector<double>& d, int threads) {
   const ContactProblem& problem = prepared.problem();
   d.clear();
   for (int c = 0; c < problem.num_contacts(); ++c)
     d.push_back(problem.is_moment(c) ? 0 : contact_scale(problem, c, prepared.inverse_mass_scales()[c]).d);
-  return measure(prepared, r, v);
+  return measure(prepared, r, v, threads);
 }
 
 Residuals measure(const LocalProblem& problem, const VecX& r) {
@@ -149,7 +185,7 @@ Residuals measure(const LocalProblem& problem, const VecX& r) {
     const ContactScale scale = contact_scale(problem, c);
     const Vec3 r_c = r.segment<3>(first);
     const Vec3 u = compliant_velocity(problem, c, r_c, velocity.segment<3>(first));
-    measure_contact(maps_of(problem.law, problem.facets, scale, r_c, u), scale, r_c, u, out);
+    add_shares(measure_contact(maps_of(problem.law, problem.facets, scale, r_c, u), scale, r_c, u, out), out);
   }
   if (problem.num_contacts() > 0) out.natural_map_rms_m_s = std::sqrt(out.natural_map_rms_m_s / problem.num_contacts());
   return out;

@@ -22,13 +22,14 @@ struct Residuals {
   double momentum_sqrtJ = 0;
 };
 
-/// Returns the residuals of impulses r with the velocities v that belong to them.
-Residuals measure(const PreparedProblem& prepared, const VecX& r, const VecX& v);
+/// Returns the residuals of impulses r with the velocities v that belong to them: the same bits for any `threads`.
+Residuals measure(const PreparedProblem& prepared, const VecX& r, const VecX& v, int threads = 1);
 /// The same with v = M^-1 (f + H r).
 Residuals measure(const PreparedProblem& prepared, const VecX& r);
 
 /// The same. Also writes d_a of every contact [1/kg], 0 for a moment, to `d`, which impulse_residual() takes.
-Residuals measure(const PreparedProblem& prepared, const VecX& r, const VecX& v, std::vector<double>& d);
+Residuals measure(const PreparedProblem& prepared, const VecX& r, const VecX& v, std::vector<double>& d,
+                  int threads = 1);
 
 /// Prepares the problem first.
 Residuals measure(const ContactProblem& problem, const VecX& r, const VecX& v);

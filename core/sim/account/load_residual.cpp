@@ -1,8 +1,12 @@
 #include "core/sim/account/load_residual.h"
 
 #include <algorithm>
+#include <functional>
+#include <iterator>
+#include <vector>
 
 #include "contact/problem/islands.h"
+#include "core/base/parallel.h"
 
 namespace nilas::sim {
 
@@ -20,31 +24,30 @@ static contact::ImpulseResidual residual_of(const contact::SolvedProblem& solved
 /// The residuals of contacts that reach the vessel only through other bodies. They count in absolute value along every
 /// axis, because the direction in which they would reach the vessel is unknown.
 static Wrench from_behind(const contact::SolvedProblem& solved, const contact::StepMotion& motion, int vessel,
-                          int num_parts) {
-  Wrench sum;
+                          int num_parts, int threads) {
   const auto is_vessel = [&](int body) { return body >= vessel && body <= vessel + num_parts; };
-  const Vec3& com = motion.p[vessel];
   const auto points = static_cast<int>(motion.points.size());
+  const auto of_vessel = [&](int c) { return is_vessel(motion.points[c].a) || is_vessel(motion.points[c].b); };
+  std::vector<int> behind;
   for (std::vector<int>& island : contact::find_islands(solved.problem)) {
     std::erase_if(island, [&](int c) { return c >= points; });  // drops the moments
-    const auto of_vessel = [&](int c) {
-      const detect::ContactPoint& point = motion.points[c];
-      return is_vessel(point.a) || is_vessel(point.b);
-    };
-    if (std::none_of(island.begin(), island.end(), of_vessel)) continue;
-    for (const int c : island) {
-      if (of_vessel(c)) continue;
-      const auto i = static_cast<std::size_t>(c);
-      const double impulse = residual_of(solved, motion, i).law.norm();
-      const double arm = (motion.points[i].p - com).norm();
-      sum += {Vec3::Constant(impulse), Vec3::Constant(arm * impulse)};
-    }
+    if (std::any_of(island.begin(), island.end(), of_vessel))
+      std::copy_if(island.begin(), island.end(), std::back_inserter(behind), std::not_fn(of_vessel));
+  }
+  std::vector<double> impulse(behind.size());
+  parallel_for(static_cast<std::ptrdiff_t>(behind.size()), threads, [&](std::ptrdiff_t k) {
+    impulse[k] = residual_of(solved, motion, static_cast<std::size_t>(behind[k])).law.norm();
+  });
+  Wrench sum;
+  for (std::size_t k = 0; k < behind.size(); ++k) {
+    const double arm = (motion.points[behind[k]].p - motion.p[vessel]).norm();
+    sum += {Vec3::Constant(impulse[k]), Vec3::Constant(arm * impulse[k])};
   }
   return sum;
 }
 
 LoadResidual load_residual(const contact::SolvedProblem& solved, const std::vector<Mat3>& C,
-                           const contact::StepMotion& motion, int vessel, int num_parts) {
+                           const contact::StepMotion& motion, int vessel, int num_parts, int threads) {
   LoadResidual sum;
   const auto is_vessel = [&](int body) { return body >= vessel && body <= vessel + num_parts; };
   const Vec3& com = motion.p[vessel];
@@ -58,7 +61,7 @@ LoadResidual load_residual(const contact::SolvedProblem& solved, const std::vect
     if (solved.problem.law != Law::coulomb) sum.law += on_vessel(c, com, is_b, C[i] * (e.coulomb - e.law));
   }
   if (solved.solution.status != contact::SolveStatus::converged)
-    sum.solver += from_behind(solved, motion, vessel, num_parts);
+    sum.solver += from_behind(solved, motion, vessel, num_parts, threads);
   return sum;
 }
 

@@ -16,8 +16,8 @@ struct LoadResidual {
 };
 
 /// `C`: as in AssembledContacts. `vessel`: index of the hull; the `num_parts` bodies that follow it belong to the
-/// vessel.
+/// vessel. The result has the same bits for any `threads`.
 LoadResidual load_residual(const contact::SolvedProblem& solved, const std::vector<Mat3>& C,
-                           const contact::StepMotion& motion, int vessel, int num_parts = 0);
+                           const contact::StepMotion& motion, int vessel, int num_parts = 0, int threads = 1);
 
 }  // namespace nilas::sim

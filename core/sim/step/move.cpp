@@ -57,6 +57,8 @@ contact::StepMotion velocity_step(const World& world, const Loads& loads, const 
     motion.before.w[hull] = vessel.w;
   }
   motion.points = std::move(solved.found.points);
+  motion.impulses.reserve(motion.points.size());
+  motion.normal_impulses.reserve(motion.points.size());
   for (std::size_t i = 0; i < motion.points.size(); ++i) {
     const Vec3 r = solved.solution.r.segment<3>(contact::row_of(i));
     motion.impulses.emplace_back(contacts.C[i] * r);

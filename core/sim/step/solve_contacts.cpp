@@ -50,7 +50,7 @@ void solve(World& world, SolvedContacts& solved) {
   world.warm.keep(problem.key, frames, solved.solution.r);
   for (const auto& module : world.parts.modules) module->end_guess();
   solved.num_islands = static_cast<int>(prepared.islands().size());
-  solved.residuals = contact::measure(prepared, solved.solution.r, solved.solution.v, solved.d);
+  solved.residuals = contact::measure(prepared, solved.solution.r, solved.solution.v, solved.d, world.threads);
 }
 
 /// Velocities of the free bodies and of the vessel after the impulses.

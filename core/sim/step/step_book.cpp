@@ -107,6 +107,7 @@ void StepBook::keep(SolvedContacts& solved, const contact::StepMotion& motion) {
     const auto b = static_cast<std::size_t>(body);
     return {parts.bodies.id[b], parts.bodies.motion[b] == bodies::Motion::fixed ? 0 : 1 / parts.bodies.mass[b]};
   };
+  kept.touching.reserve(motion.points.size());
   for (const detect::ContactPoint& c : motion.points) kept.touching.push_back({touching(c.a), touching(c.b)});
   kept.impulses = motion.impulses;
   kept.couples = motion.couples;

@@ -98,7 +98,7 @@ VesselRecord vessel_record(const World& world, const Loads& loads, const contact
   for (const PartRecord& part : record.parts) on_parts.push_back(part.contact);
   record.contact =
       on_whole_vessel(over(contact::contact_impulse_on(motion, parts.vessel_index), motion.h), hull, motion, on_parts);
-  const LoadResidual off = load_residual(solved, frames, motion, parts.vessel_index, parts.num_parts);
+  const LoadResidual off = load_residual(solved, frames, motion, parts.vessel_index, parts.num_parts, world.threads);
   record.solver_residual = over(off.solver, motion.h);
   record.law_residual = over(off.law, motion.h);
   record.course = course_at(parts, t_end);
