@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "contact/detect/broad/broad_phase.h"
+#include "contact/detect/broad/fetch_ahead.h"
 #include "contact/detect/broad/known_parts.h"
 #include "contact/detect/broad/reach.h"
 #include "contact/detect/narrow_phase.h"
@@ -96,6 +97,8 @@ struct ContactDetector::Implementation {
   void find_last_pairs();
   /// Moves out the memory that pair i has of the last call, if any.
   PairMemory take_remembered(std::size_t i);
+  /// Fetches what the pairs after pair i read, up to pair `end`.
+  void fetch_ahead(std::ptrdiff_t i, std::ptrdiff_t end) const;
   /// The pair's memory of this call.
   PairMemory remembered(const Part& a, const Part& b) const;
   void list_pairs(const bodies::Bodies& bodies, double margin);
@@ -129,6 +132,20 @@ void ContactDetector::Implementation::learn_bodies(const bodies::Bodies& bodies)
 
 PairMemory ContactDetector::Implementation::take_remembered(std::size_t i) {
   return last_place[i] >= 0 ? std::move(before.memory[last_place[i]]) : PairMemory{};
+}
+
+void ContactDetector::Implementation::fetch_ahead(std::ptrdiff_t i, std::ptrdiff_t end) const {
+  constexpr std::ptrdiff_t k_soon = 2, k_later = 5;  // a pair takes about as long as a few reads from memory
+  if (i + k_later < end) {
+    fetch_part(known.parts[now.pairs[i + k_later].part_a]);
+    fetch_part(known.parts[now.pairs[i + k_later].part_b]);
+  }
+  if (i + k_soon >= end) return;
+  const PartPair& pair = now.pairs[i + k_soon];
+  const std::ptrdiff_t last = last_place[i + k_soon];
+  const bool was_apart = last >= 0 && !before.memory[last].separating.isZero(0);
+  fetch_facets(known.parts[pair.part_a], was_apart);
+  fetch_facets(known.parts[pair.part_b], was_apart);
 }
 
 PairMemory ContactDetector::Implementation::remembered(const Part& a, const Part& b) const {
@@ -168,7 +185,9 @@ void ContactDetector::Implementation::search_pairs(const bodies::Bodies& bodies,
     Stretch& stretch = stretches[s];
     stretch.points.clear();
     stretch.counts = {};
-    for (std::ptrdiff_t i = s * count / wanted; i < (s + 1) * count / wanted; ++i) {
+    const std::ptrdiff_t end = (s + 1) * count / wanted;
+    for (std::ptrdiff_t i = s * count / wanted; i < end; ++i) {
+      fetch_ahead(i, end);
       if (left && left(now.pairs[i].body_a, now.pairs[i].body_b)) {
         now.memory[i] = {};
         found[i] = {static_cast<int>(s), 0, true, 0, 0};

@@ -64,8 +64,13 @@ void add_edges(const geometry::ConvexPolytope& polytope, FacetedGeometry& facets
     of_face[f][k] = static_cast<int>(facets.edges.size()) - 1;
   }
   for (std::size_t f = 0; f < of_face.size(); ++f) {
-    facets.face_vertices.add(polytope.faces[f]);
     facets.face_edges.add(of_face[f]);
+    std::vector<FaceCorner> corners;
+    for (std::size_t k = 0; k < of_face[f].size(); ++k) {
+      const int v = polytope.faces[f][k];
+      corners.push_back({polytope.vertices[v], v, of_face[f][k]});
+    }
+    facets.face_corners.add(corners);
   }
   for (std::size_t v = 0; v < of_vertex.size(); ++v) {
     facets.vertex_faces.add(polytope.vertex_faces[v]);

@@ -24,18 +24,31 @@ struct PartEdge {
   Vec3 arc = Vec3::Zero();     ///< normal of f1 x normal of f0, across the plane of the edge's normals
 };
 
-/// Lists of numbers, one after the other in memory.
-class NumberLists {
+/// A corner of a face: where it is, its vertex, and the edge that begins there.
+struct FaceCorner {
+  Vec3 x = Vec3::Zero();
+  int vertex = 0, edge = 0;
+};
+
+/// Lists of items, one after the other in memory.
+template <class Item>
+class ItemLists {
  public:
-  void add(const std::vector<int>& list) {
+  void add(const std::vector<Item>& list) {
     items_.insert(items_.end(), list.begin(), list.end());
     start_.push_back(static_cast<int>(items_.size()));
   }
-  std::span<const int> operator[](int i) const { return {items_.data() + start_[i], items_.data() + start_[i + 1]}; }
+  /// The items of all lists.
+  std::span<const Item> items() const { return items_; }
+  std::span<const Item> operator[](int i) const {
+    return {items_.data() + start_[i], items_.data() + start_[static_cast<std::size_t>(i) + 1]};
+  }
 
  private:
-  std::vector<int> start_{0}, items_;
+  std::vector<int> start_{0};
+  std::vector<Item> items_;
 };
+using NumberLists = ItemLists<int>;
 
 /// A polytope with one coordinate per column, so that one pass serves all vertices or all faces.
 struct FacetedGeometry {
@@ -44,8 +57,8 @@ struct FacetedGeometry {
   Eigen::Array<double, Eigen::Dynamic, 3> normals;
   Eigen::ArrayXd offsets;
   std::vector<PartEdge> edges;
-  NumberLists face_vertices;  ///< loops, counter-clockwise from outside
-  NumberLists face_edges;     ///< edge k joins loop vertices k and k + 1
+  ItemLists<FaceCorner> face_corners;  ///< loops, counter-clockwise from outside
+  NumberLists face_edges;              ///< edge k joins corners k and k + 1
   NumberLists vertex_faces, vertex_edges;
   NumberLists smooth_neighbours;  ///< neighbours across an edge whose normals differ by less than twice the patch angle
   std::vector<int> start_vertices;  ///< support vertex per cell of directions; empty where all vertices are tried

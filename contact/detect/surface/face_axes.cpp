@@ -11,7 +11,8 @@ namespace {
 
 /// Returns the point of y, in y's frame, where n . x is largest.
 Vec3 support_point(const Part& y, const Vec3& n) {
-  if (y.facets) return y.facets->polytope->vertices[support_vertex(*y.facets, n)];
+  // the columns of all vertices have just been read, unlike the list of points
+  if (y.facets) return y.facets->vertices.row(support_vertex(*y.facets, n)).transpose();
   return cylinder_support(y, n, 0).points[0];
 }
 

@@ -47,24 +47,25 @@ struct Projection {
 
 double highest_corner(const FacetedGeometry& facets, int f, const Vec3& direction) {
   double highest = -std::numeric_limits<double>::infinity();
-  for (int v : facets.face_vertices[f]) highest = std::max(highest, facets.polytope->vertices[v].dot(direction));
+  for (const FaceCorner& corner : facets.face_corners[f]) highest = std::max(highest, corner.x.dot(direction));
   return highest;
 }
 
 /// Returns false only for faces of which all points lie farther from the other part's centre than its ball reaches.
 bool within_reach(const PatchView& view, int f) {
   const FacetedGeometry& facets = *view.part.facets;
-  const auto vertices = facets.face_vertices[f];
-  const Vec3& first = facets.polytope->vertices[vertices.front()];
+  const auto corners = facets.face_corners[f];
+  const Vec3& first = corners.front().x;
   double size = 0;
-  for (int v : vertices) size = std::max(size, (facets.polytope->vertices[v] - first).norm());
+  for (const FaceCorner& corner : corners) size = std::max(size, (corner.x - first).norm());
   return (first - view.other_centre).norm() <= view.other_radius + size;
 }
 
 /// Adds the faces joined to those of the patch by gentle edges.
 void grow_patch(const PatchView& view, const Vec3& direction, SurfacePatch& patch) {
   const FacetedGeometry& facets = *view.part.facets;
-  if (patch.faces.empty() || facets.smooth_neighbours[patch.faces.front()].empty()) return;
+  if (facets.smooth_neighbours.items().empty() || patch.faces.empty()) return;
+  if (facets.smooth_neighbours[patch.faces.front()].empty()) return;
   const double least = highest_corner(facets, patch.faces.front(), direction) - view.slack;
   for (std::size_t i = 0; i < patch.faces.size() && patch.faces.size() < k_most_faces; ++i)
     for (int f : facets.smooth_neighbours[patch.faces[i]]) {
@@ -103,9 +104,8 @@ void show_polytope(const PatchView& view, const Projection& projection, double t
   for (int f : patch.faces) {
     SurfaceLoop& loop = patch.add();
     projection.set_plane(polytope.normals[f], polytope.offsets[f], loop);
-    const std::span<const int> vertices = facets.face_vertices[f], edges = facets.face_edges[f];
-    for (std::size_t k = 0; k < vertices.size(); ++k)
-      loop.corners.push_back(projection.corner(polytope.vertices[vertices[k]], vertices[k], edges[k]));
+    for (const FaceCorner& corner : facets.face_corners[f])
+      loop.corners.push_back(projection.corner(corner.x, corner.vertex, corner.edge));
   }
 }
 
