@@ -141,20 +141,27 @@ Residuals measure(const PreparedProblem& prepared, const VecX& r, const VecX& v,
   const ContactProblem& problem = prepared.problem();
   const std::ptrdiff_t count = problem.num_contacts();
   NILAS_DEMAND(r.size() == 3 * count && v.size() == problem.num_velocities());
-  std::vector<Shares> shares(static_cast<std::size_t>(count));
-  std::vector<Residuals> worst(static_cast<std::size_t>(num_chunks(count)));
-  parallel_chunks(count, k_chunk, threads, [&](std::ptrdiff_t chunk, std::ptrdiff_t first, std::ptrdiff_t last) {
-    Residuals of_chunk;
-    for (auto c = static_cast<int>(first); c < last; ++c)
-      if (!problem.is_moment(c)) shares[c] = measure_with_moment(prepared, c, r, v, of_chunk);
-    worst[chunk] = of_chunk;
-  });
   Residuals out;
-  for (const Residuals& of_chunk : worst) keep_worst_of(of_chunk, out);
   VecX excess = -problem.f;
-  for (int c = 0; c < problem.num_contacts(); ++c) {
+  const auto add_up = [&](int c, const Shares& shares) {
     add_impulse(problem, c, -r.segment<3>(row_of(c)), excess.data());
-    add_shares(shares[c], out);
+    add_shares(shares, out);
+  };
+  const auto shares_of = [&](int c, Residuals& worst) {
+    return problem.is_moment(c) ? Shares{} : measure_with_moment(prepared, c, r, v, worst);
+  };
+  if (threads == 1) {  // one pass, which reads the rows of a contact once
+    for (int c = 0; c < problem.num_contacts(); ++c) add_up(c, shares_of(c, out));
+  } else {
+    std::vector<Shares> shares(static_cast<std::size_t>(count));
+    std::vector<Residuals> worst(static_cast<std::size_t>(num_chunks(count)));
+    parallel_chunks(count, k_chunk, threads, [&](std::ptrdiff_t chunk, std::ptrdiff_t first, std::ptrdiff_t last) {
+      Residuals of_chunk;
+      for (auto c = static_cast<int>(first); c < last; ++c) shares[c] = shares_of(c, of_chunk);
+      worst[chunk] = of_chunk;
+    });
+    for (const Residuals& of_chunk : worst) keep_worst_of(of_chunk, out);
+    for (int c = 0; c < problem.num_contacts(); ++c) add_up(c, shares[c]);
   }
   if (problem.num_contacts() > 0) out.natural_map_rms_m_s = std::sqrt(out.natural_map_rms_m_s / problem.num_points());
   out.momentum_sqrtJ = momentum_residual(problem, v, excess);

@@ -95,6 +95,27 @@ TEST(Measure, RootMeanSquareAndLargestOverContacts) {
   EXPECT_NEAR(m.natural_map_rms_m_s, std::sqrt(0.125), 1e-15);
 }
 
+/// 900 particles, of which every third rolls: four pieces for the threads.
+TEST(Measure, SameBitsForAnyNumberOfThreads) {
+  ContactProblem problem = particle(Law::coulomb, 0.5);
+  for (int k = 1; k < 900; ++k) {
+    problem.add_block((2 + 0.01 * k) * Mat3::Identity());
+    problem.mu[problem.add_contact(-1, MatX(3, 0), k, Mat3::Identity(), 2 * static_cast<std::uint64_t>(k))] = 0.3;
+  }
+  for (int k = 0; k < 900; k += 3) problem.add_moment(k, MatX(3, 0), 0.1 * Mat3::Identity(), 0.1, 2 * k + 10001);
+  VecX r(3 * problem.num_contacts()), v(problem.num_velocities());
+  for (Eigen::Index i = 0; i < r.size(); ++i) r[i] = std::cos(1.7 * static_cast<double>(i)) + 0.5;
+  for (Eigen::Index i = 0; i < v.size(); ++i) v[i] = 0.1 * std::sin(2.3 * static_cast<double>(i));
+  const PreparedProblem prepared(problem);
+  const Residuals alone = measure(prepared, r, v);
+  EXPECT_GT(alone.natural_map_m_s, 0);
+  for (const int threads : {2, 3}) {
+    const Residuals shared = measure(prepared, r, v, threads);
+    for (const NamedResidual& column : residual_columns())
+      EXPECT_EQ(alone.*column.member, shared.*column.member) << column.name;
+  }
+}
+
 TEST(Measure, AForceLimitMakesCrushingLawful) {
   ContactProblem problem = particle(Law::coulomb, 0.5);
   problem.force_limit[0] = 2;
