@@ -217,9 +217,6 @@ struct LeftByBodies {
   bool has_jam = false;                   ///< one of more contacts than these rungs take
 };
 
-/// Islands of fewer contacts are solved at the same time as each other [-].
-constexpr std::size_t k_large_on_bodies = 1000;
-
 /// Solves islands on their bodies where that can be, the smallest first, so that the hardest is left when time runs
 /// out. Each has the whole budget of iterations. The better impulses, the iterations of the island that took most and
 /// the history go into `whole`.
@@ -236,8 +233,9 @@ LeftByBodies solve_each_on_bodies(const contact::ContactProblem& problem, std::v
     outcomes[static_cast<std::size_t>(k)] =
         solve_on_bodies(contact::PreparedProblem(part_problem), r, settings.shared, budget);
   };
-  const auto first_large = std::partition_point(islands.begin(), islands.end(),
-                                                [](const auto& island) { return island.size() < k_large_on_bodies; });
+  const auto first_large = std::partition_point(islands.begin(), islands.end(), [](const auto& island) {
+    return static_cast<int>(island.size()) < k_large_on_bodies;
+  });
   const std::ptrdiff_t small = first_large - islands.begin();
   parallel_pieces(small, settings.shared.threads, solve);
   for (std::ptrdiff_t k = small; k < static_cast<std::ptrdiff_t>(islands.size()); ++k) solve(k);

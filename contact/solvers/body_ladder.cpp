@@ -158,7 +158,7 @@ bool fits_bodies(const contact::PreparedProblem& island) {
 std::optional<BodyOutcome> solve_on_bodies(const contact::PreparedProblem& island, const VecX& guess,
                                            const contact::SolverSettings& settings, const Budget& budget) {
   if (!fits_bodies(island)) return {};
-  const BodyIsland bodies(island);
+  const BodyIsland bodies(island, island.problem().num_contacts() < k_large_on_bodies ? 1 : settings.threads);
   const auto plan = plan_nodes(bodies);
   if (!plan) return {};
   const VecX start = guess.size() > 0 ? guess : VecX(VecX::Zero(contact::row_of(bodies.num_contacts())));

@@ -20,6 +20,9 @@ struct BodyOutcome {
   bool has_converged = false;
 };
 
+/// Islands of fewer contacts than this use one thread, and are solved at the same time as each other [-].
+constexpr int k_large_on_bodies = 1000;
+
 /// `guess`: 3 nc impulses, or empty. Nothing for an island that does not fit, or whose factors would be too large
 /// (node_plan.h).
 std::optional<BodyOutcome> solve_on_bodies(const contact::PreparedProblem& island, const VecX& guess,

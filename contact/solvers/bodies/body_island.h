@@ -33,21 +33,30 @@ struct ContactVectors {
 ContactVectors by_component(const VecX& r);
 VecX by_contact(const ContactVectors& r);
 
-/// J of one contact on one node.
-struct NodeSide {
-  int node = 0;
-  NodeRows rows;
+/// One side of a contact, as its node lists it.
+struct NodeEntry {
+  int contact = 0;
+  int side = 0;
 };
 
 class BodyIsland {
  public:
-  /// `island`: a problem of one island without moments, whose masses all have a root (has_roots).
-  explicit BodyIsland(const contact::PreparedProblem& island);
+  /// `island`: a problem of one island without moments, whose masses all have a root (has_roots). `threads`: of all
+  /// work on this island; the bits do not depend on them.
+  explicit BodyIsland(const contact::PreparedProblem& island, int threads = 1);
+
+  int threads() const { return threads_; }
 
   int num_contacts() const { return static_cast<int>(side_start_.size()) - 1; }
   int num_nodes() const { return num_nodes_; }
-  std::span<const NodeSide> sides(int c) const {
-    return std::span(sides_).subspan(side_start_[c], side_start_[c + 1] - side_start_[c]);
+  /// Sides are numbered in the order of contacts. Those of contact c end where those of c + 1 begin.
+  int first_side(int c) const { return side_start_[static_cast<std::size_t>(c)]; }
+  int node(int side) const { return nodes_[static_cast<std::size_t>(side)]; }
+  /// J of a contact on the node of one of its sides.
+  const NodeRows& rows(int side) const { return rows_[static_cast<std::size_t>(side)]; }
+  /// The sides on a node, in the order of contacts.
+  std::span<const NodeEntry> entries(int node) const {
+    return std::span(entries_).subspan(entry_start_[node], entry_start_[node + 1] - entry_start_[node]);
   }
   const NodeVector& free_motion() const { return free_; }  ///< z_free
   const ContactVectors& prescribed() const { return w_; }  ///< w
@@ -56,11 +65,20 @@ class BodyIsland {
   void add_impulses(const ContactVectors& r, NodeVector& z) const;
   /// u = J z.
   void relative_velocities(const NodeVector& z, ContactVectors& u) const;
+  /// The same of the contacts [first, last), by the calling thread.
+  void relative_velocities(const NodeVector& z, ContactVectors& u, std::size_t first, std::size_t last) const;
 
  private:
+  void list_entries();
+
+  int threads_ = 1;
   int num_nodes_ = 0;
-  std::vector<std::size_t> side_start_{0};
-  std::vector<NodeSide> sides_;
+  std::vector<int> side_start_{0};
+  std::vector<int> nodes_;      ///< of each side
+  std::vector<NodeRows> rows_;  ///< of each side
+  std::vector<std::size_t> entry_start_;
+  std::vector<NodeEntry> entries_;
+  std::vector<int> chunk_start_;  ///< first nodes of chunks of about the same number of entries
   NodeVector free_;
   ContactVectors w_;
 };

@@ -1,5 +1,6 @@
 #include "contact/solvers/bodies/node_cholesky.h"
 
+#include <atomic>
 #include <cmath>
 
 #include "contact/solvers/bodies/node_products.h"
@@ -8,6 +9,18 @@
 namespace nilas::solvers {
 
 namespace {
+
+/// The entries of symmetric matrices, one per contact.
+struct SymmetricEntries {
+  const double *e00, *e10, *e20, *e11, *e21, *e22;
+  SymmetricEntries(const ContactMatrices& g)
+      : e00(g.entry[0].data()),
+        e10(g.entry[1].data()),
+        e20(g.entry[2].data()),
+        e11(g.entry[3].data()),
+        e21(g.entry[4].data()),
+        e22(g.entry[5].data()) {}
+};
 
 /// Turns the lower triangle of a block into its Cholesky factor, with the inverses of its diagonal on the diagonal. The
 /// matrix is 1 and a positive semidefinite one, so pivots are 1 at least, and smaller ones are rounding.
@@ -32,33 +45,85 @@ inline void divide_by_root(NodeBlock& b, const NodeBlock& c) {
   }
 }
 
-NILAS_WIDE_CLONES bool eliminate_symmetric(const NodePlan& plan, NodeBlock* diagonal, NodeBlock* below) {
-  for (int j = 0; j < plan.size(); ++j) {
-    if (!root_of_diagonal(diagonal[j])) return false;
-    const std::size_t first = plan.start[j], last = plan.start[j + 1];
-    for (std::size_t s = first; s < last; ++s) divide_by_root(below[s], diagonal[j]);
-    const int* target = plan.target.data() + plan.target_start[j];
-    for (std::size_t s = first; s < last; ++s) {
-      subtract_product(below[s], below[s], diagonal[plan.rows[s]]);
-      for (std::size_t t = s + 1; t < last; ++t) subtract_product(below[t], below[s], below[*target++]);
+/// Sets a column to its part of 1 + sum J^T G J.
+NILAS_WIDE_CLONES void assemble_column(const NodeRows* all_rows, const NodePlan& plan, const SymmetricEntries& g, int j,
+                                       NodeBlock* diagonal, NodeBlock* below) {
+  NodeBlock own;
+  for (int k = 0; k < k_node_size; ++k) own.column[k][k] = 1;
+  for (std::size_t s = plan.start[j]; s < plan.start[j + 1]; ++s) below[s] = {};
+  const ColumnSide *side = plan.sides.data() + plan.side_start[j], *end = plan.sides.data() + plan.side_start[j + 1];
+  const ColumnPair *pairs = plan.pairs.data(), *pair = pairs;
+  if (plan.side_start[j] > 0) pair += side[-1].last_pair;
+  for (; side < end; ++side) {
+    const int c = side->contact;
+    const double full[3][3] = {
+        {g.e00[c], g.e10[c], g.e20[c]}, {g.e10[c], g.e11[c], g.e21[c]}, {g.e20[c], g.e21[c], g.e22[c]}};
+    const NodeRows& rows = all_rows[side->side];
+    NodeRows scaled;
+    multiply(full, rows, scaled);
+    add_outer(scaled, rows, own);
+    for (const ColumnPair* const last = pairs + side->last_pair; pair < last; ++pair) {
+      // Block (later place, earlier place): the later node's coordinates along the columns.
+      const NodeRows& later = all_rows[pair->side];
+      if (!pair->comes_first) {
+        add_outer(later, scaled, below[pair->block]);
+        continue;
+      }
+      NodeRows other;
+      multiply(full, later, other);
+      add_outer(other, rows, below[pair->block]);
     }
   }
-  return true;
+  diagonal[j] = own;
 }
 
-/// y <- C^-1 y, y <- C^-T y
-NILAS_WIDE_CLONES void substitute_symmetric(const NodePlan& plan, const NodeBlock* diagonal, const NodeBlock* below,
-                                            NodeNumbers* y) {
-  for (int j = 0; j < plan.size(); ++j) {
+/// Fills the columns of a task with the factor. Returns whether all are finite.
+NILAS_WIDE_CLONES bool eliminate_symmetric(const NodeRows* all_rows, const NodePlan& plan, const SymmetricEntries& g,
+                                           const TaskRun& run, NodeBlock* diagonal, NodeBlock* below) {
+  bool is_finite = true;
+  const EarlierBlock* const all_earlier = plan.earlier.data();
+  const int* const all_targets = plan.target.data();
+  const std::size_t *const starts = plan.start.data(), *const earlier_starts = plan.earlier_start.data();
+  for (const int j : run.columns) {
+    assemble_column(all_rows, plan, g, j, diagonal, below);
+    for (std::size_t e = earlier_starts[j]; e < earlier_starts[j + 1]; ++e) {
+      const EarlierBlock earlier = all_earlier[e];
+      run.wait_for(earlier.column);
+      const NodeBlock& by = below[earlier.place];
+      subtract_product(by, by, diagonal[j]);
+      const int* target = all_targets + earlier.target;
+      for (std::size_t t = earlier.place + 1, last = starts[earlier.column + 1]; t < last; ++t)
+        subtract_product(below[t], by, below[*target++]);
+    }
+    is_finite = root_of_diagonal(diagonal[j]) && is_finite;
+    for (std::size_t s = starts[j]; s < starts[j + 1]; ++s) divide_by_root(below[s], diagonal[j]);
+  }
+  return is_finite;
+}
+
+/// y <- C^-1 y
+NILAS_WIDE_CLONES void substitute_down(const NodePlan& plan, const TaskRun& run, const NodeBlock* diagonal,
+                                       const NodeBlock* below, NodeNumbers* y) {
+  for (const int j : run.columns) {
     double* const at = y[j].value;
+    for (std::size_t e = plan.earlier_start[j]; e < plan.earlier_start[j + 1]; ++e) {
+      const EarlierBlock& earlier = plan.earlier[e];
+      run.wait_for(earlier.column);
+      subtract_times(below[earlier.place], y[earlier.column].value, at);
+    }
     const auto& c = diagonal[j].column;
     for (int k = 0; k < k_node_size; ++k) {
       at[k] *= c[k][k];
       for (int i = k + 1; i < k_node_size; ++i) at[i] -= c[k][i] * at[k];
     }
-    for (std::size_t s = plan.start[j]; s < plan.start[j + 1]; ++s) subtract_times(below[s], at, y[plan.rows[s]].value);
   }
-  for (int j = plan.size() - 1; j >= 0; --j) {
+}
+
+/// y <- C^-T y
+NILAS_WIDE_CLONES void substitute_up(const NodePlan& plan, const TaskRun& run, const NodeBlock* diagonal,
+                                     const NodeBlock* below, NodeNumbers* y) {
+  for (auto column = run.columns.rbegin(); column != run.columns.rend(); ++column) {
+    const int j = *column;
     double* const at = y[j].value;
     double sum[k_node_size] = {};
     for (std::size_t s = plan.start[j]; s < plan.start[j + 1]; ++s)
@@ -72,51 +137,31 @@ NILAS_WIDE_CLONES void substitute_symmetric(const NodePlan& plan, const NodeBloc
   }
 }
 
-NILAS_WIDE_CLONES void add_symmetric_contacts(const BodyIsland& island, const NodePlan& plan, const ContactMatrices& g,
-                                              NodeBlock* diagonal, NodeBlock* below) {
-  for (int c = 0; c < island.num_contacts(); ++c) {
-    const auto sides = island.sides(c);
-    const int* pair = plan.pair.data() + plan.pair_start[c];
-    const auto entry = [&](std::size_t i) { return g.entry[i][static_cast<std::size_t>(c)]; };
-    const double full[3][3] = {
-        {entry(0), entry(1), entry(2)}, {entry(1), entry(3), entry(4)}, {entry(2), entry(4), entry(5)}};
-    for (std::size_t s = 0; s < sides.size(); ++s) {
-      NodeRows scaled;
-      multiply(full, sides[s].rows, scaled);
-      const int place = plan.place[sides[s].node];
-      add_outer(scaled, sides[s].rows, diagonal[place]);
-      for (std::size_t t = s + 1; t < sides.size(); ++t, ++pair) {
-        // Block (later place, earlier place): the later node's coordinates along the columns.
-        if (place > plan.place[sides[t].node])
-          add_outer(scaled, sides[t].rows, below[*pair]);
-        else
-          add_outer(sides[t].rows, scaled, below[*pair]);
-      }
-    }
-  }
-}
-
 }  // namespace
 
 NodeCholesky::NodeCholesky(const BodyIsland& island, const NodePlan& plan)
-    : island_(island), plan_(plan), diagonal_(plan.size()), below_(plan.num_blocks()), ordered_(plan.size()) {}
-
-void NodeCholesky::assemble(const ContactMatrices& g) {
-  NodeBlock one;
-  for (int k = 0; k < k_node_size; ++k) one.column[k][k] = 1;
-  diagonal_.assign(diagonal_.size(), one);
-  below_.assign(below_.size(), {});
-  add_symmetric_contacts(island_, plan_, g, diagonal_.data(), below_.data());
-}
+    : island_(island),
+      plan_(plan),
+      diagonal_(plan.size()),
+      below_(plan.num_blocks()),
+      ordered_(plan.size()),
+      progress_(plan.num_tasks()) {}
 
 bool NodeCholesky::factor(const ContactMatrices& g) {
-  assemble(g);
-  return eliminate_symmetric(plan_, diagonal_.data(), below_.data());
+  std::atomic<bool> is_finite = true;
+  run_tasks(plan_, progress_, island_.threads(), [&](const TaskRun& run) {
+    if (!eliminate_symmetric(&island_.rows(0), plan_, g, run, diagonal_.data(), below_.data())) is_finite = false;
+  });
+  return is_finite;
 }
 
 void NodeCholesky::solve(NodeVector& x) {
   for (int k = 0; k < plan_.size(); ++k) ordered_[k] = x[plan_.source[k]];
-  substitute_symmetric(plan_, diagonal_.data(), below_.data(), ordered_.data());
+  run_tasks(plan_, progress_, island_.threads(),
+            [&](const TaskRun& run) { substitute_down(plan_, run, diagonal_.data(), below_.data(), ordered_.data()); });
+  run_tasks_back(plan_, island_.threads(), [&](const TaskRun& run) {
+    substitute_up(plan_, run, diagonal_.data(), below_.data(), ordered_.data());
+  });
   for (int k = 0; k < plan_.size(); ++k) x[plan_.source[k]] = ordered_[k];
 }
 

@@ -8,7 +8,7 @@
 /// operations per product of two blocks, 15 million for 966 floes in a jam. newton's LU between contacts needs 8 to 16
 /// times as many.
 #include "contact/solvers/bodies/body_island.h"
-#include "contact/solvers/bodies/node_plan.h"
+#include "contact/solvers/bodies/node_tasks.h"
 
 namespace nilas::solvers {
 
@@ -32,12 +32,11 @@ class NodeCholesky {
   void solve(NodeVector& x);
 
  private:
-  void assemble(const ContactMatrices& g);
-
   const BodyIsland& island_;
   const NodePlan& plan_;
   std::vector<NodeBlock> diagonal_, below_;
   NodeVector ordered_;
+  TaskProgress progress_;
 };
 
 }  // namespace nilas::solvers

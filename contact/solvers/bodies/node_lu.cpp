@@ -1,5 +1,6 @@
 #include "contact/solvers/bodies/node_lu.h"
 
+#include <atomic>
 #include <cmath>
 
 #include "contact/solvers/bodies/node_products.h"
@@ -37,36 +38,96 @@ inline void divide_by_lower(NodeBlock& b, const NodeBlock& factors) {
     for (int j = 0; j < k; ++j) subtract_column(factors.column[j][k], b.column[j], b.column[k]);
 }
 
-NILAS_WIDE_CLONES bool eliminate_both(const NodePlan& plan, NodeBlock* diagonal, NodeBlock* lower, NodeBlock* upper) {
-  for (int j = 0; j < plan.size(); ++j) {
-    if (!factors_of_diagonal(diagonal[j])) return false;
-    const std::size_t first = plan.start[j], last = plan.start[j + 1];
-    for (std::size_t s = first; s < last; ++s) {
+/// G of a contact as rows. False where it is zero.
+inline bool rows_of(const Mat3& g, double (&full)[3][3]) {
+  const double* const of = g.data();
+  bool is_in = false;
+  for (int i = 0; i < 3; ++i)
+    for (int k = 0; k < 3; ++k) {
+      full[i][k] = of[3 * k + i];
+      is_in = is_in || full[i][k] != 0;
+    }
+  return is_in;
+}
+
+/// Sets a column of the lower and a row of the upper triangle to their parts of 1 + sum J^T G J.
+NILAS_WIDE_CLONES void assemble_both(const NodeRows* all_rows, const NodePlan& plan, const Mat3* g, int j,
+                                     NodeBlock* diagonal, NodeBlock* lower, NodeBlock* upper) {
+  NodeBlock own;
+  for (int k = 0; k < k_node_size; ++k) own.column[k][k] = 1;
+  for (std::size_t s = plan.start[j]; s < plan.start[j + 1]; ++s) lower[s] = upper[s] = {};
+  const ColumnSide *side = plan.sides.data() + plan.side_start[j], *end = plan.sides.data() + plan.side_start[j + 1];
+  const ColumnPair *pairs = plan.pairs.data(), *pair = pairs;
+  if (plan.side_start[j] > 0) pair += side[-1].last_pair;
+  for (; side < end; ++side) {
+    const ColumnPair* const last = pairs + side->last_pair;
+    double full[3][3];
+    if (!rows_of(g[side->contact], full)) {
+      pair = last;
+      continue;
+    }
+    const NodeRows& rows = all_rows[side->side];
+    NodeRows scaled;
+    multiply(full, rows, scaled);
+    add_outer(rows, scaled, own);
+    for (; pair < last; ++pair) {
+      const NodeRows& later = all_rows[pair->side];
+      NodeRows other;
+      multiply(full, later, other);
+      add_outer(later, scaled, lower[pair->block]);
+      add_outer(other, rows, upper[pair->block]);
+    }
+  }
+  diagonal[j] = own;
+}
+
+/// Fills the columns of a task with the factors. Returns whether no pivot vanished.
+NILAS_WIDE_CLONES bool eliminate_both(const NodeRows* all_rows, const NodePlan& plan, const Mat3* g, const TaskRun& run,
+                                      NodeBlock* diagonal, NodeBlock* lower, NodeBlock* upper) {
+  bool has_factors = true;
+  for (const int j : run.columns) {
+    assemble_both(all_rows, plan, g, j, diagonal, lower, upper);
+    for (std::size_t e = plan.earlier_start[j]; e < plan.earlier_start[j + 1]; ++e) {
+      const EarlierBlock& earlier = plan.earlier[e];
+      run.wait_for(earlier.column);
+      const NodeBlock &by_upper = upper[earlier.place], &by_lower = lower[earlier.place];
+      subtract_product(by_lower, by_upper, diagonal[j]);
+      const int* target = plan.target.data() + earlier.target;
+      for (std::size_t t = earlier.place + 1; t < plan.start[earlier.column + 1]; ++t, ++target) {
+        subtract_product(lower[t], by_upper, lower[*target]);
+        subtract_product(upper[t], by_lower, upper[*target]);
+      }
+    }
+    has_factors = factors_of_diagonal(diagonal[j]) && has_factors;
+    for (std::size_t s = plan.start[j]; s < plan.start[j + 1]; ++s) {
       divide_by_upper(lower[s], diagonal[j]);
       divide_by_lower(upper[s], diagonal[j]);
     }
-    const int* target = plan.target.data() + plan.target_start[j];
-    for (std::size_t s = first; s < last; ++s) {
-      subtract_product(lower[s], upper[s], diagonal[plan.rows[s]]);
-      for (std::size_t t = s + 1; t < last; ++t, ++target) {
-        subtract_product(lower[t], upper[s], lower[*target]);
-        subtract_product(upper[t], lower[s], upper[*target]);
-      }
-    }
   }
-  return true;
+  return has_factors;
 }
 
-NILAS_WIDE_CLONES void substitute_both(const NodePlan& plan, const NodeBlock* diagonal, const NodeBlock* lower,
-                                       const NodeBlock* upper, NodeNumbers* y) {
-  for (int j = 0; j < plan.size(); ++j) {
+/// y <- L^-1 y
+NILAS_WIDE_CLONES void substitute_lower(const NodePlan& plan, const TaskRun& run, const NodeBlock* diagonal,
+                                        const NodeBlock* lower, NodeNumbers* y) {
+  for (const int j : run.columns) {
     double* const at = y[j].value;
+    for (std::size_t e = plan.earlier_start[j]; e < plan.earlier_start[j + 1]; ++e) {
+      const EarlierBlock& earlier = plan.earlier[e];
+      run.wait_for(earlier.column);
+      subtract_times(lower[earlier.place], y[earlier.column].value, at);
+    }
     const auto& x = diagonal[j].column;
     for (int k = 0; k < k_node_size; ++k)
       for (int i = k + 1; i < k_node_size; ++i) at[i] -= x[k][i] * at[k];
-    for (std::size_t s = plan.start[j]; s < plan.start[j + 1]; ++s) subtract_times(lower[s], at, y[plan.rows[s]].value);
   }
-  for (int j = plan.size() - 1; j >= 0; --j) {
+}
+
+/// y <- U^-1 y
+NILAS_WIDE_CLONES void substitute_upper(const NodePlan& plan, const TaskRun& run, const NodeBlock* diagonal,
+                                        const NodeBlock* upper, NodeNumbers* y) {
+  for (auto column = run.columns.rbegin(); column != run.columns.rend(); ++column) {
+    const int j = *column;
     double* const at = y[j].value;
     double sum[k_node_size] = {};
     for (std::size_t s = plan.start[j]; s < plan.start[j + 1]; ++s)
@@ -80,38 +141,6 @@ NILAS_WIDE_CLONES void substitute_both(const NodePlan& plan, const NodeBlock* di
   }
 }
 
-NILAS_WIDE_CLONES void add_contacts_to_both(const BodyIsland& island, const NodePlan& plan, const Mat3* g,
-                                            NodeBlock* diagonal, NodeBlock* lower, NodeBlock* upper) {
-  for (int c = 0; c < island.num_contacts(); ++c) {
-    const double* const of = g[c].data();
-    double full[3][3];
-    bool is_out = true;
-    for (int i = 0; i < 3; ++i)
-      for (int k = 0; k < 3; ++k) {
-        full[i][k] = of[3 * k + i];
-        is_out = is_out && full[i][k] == 0;
-      }
-    if (is_out) continue;
-    const auto sides = island.sides(c);
-    const int* pair = plan.pair.data() + plan.pair_start[c];
-    for (std::size_t s = 0; s < sides.size(); ++s) {
-      NodeRows scaled;
-      multiply(full, sides[s].rows, scaled);
-      const int place = plan.place[sides[s].node];
-      add_outer(sides[s].rows, scaled, diagonal[place]);
-      for (std::size_t t = s + 1; t < sides.size(); ++t, ++pair) {
-        NodeRows other;
-        multiply(full, sides[t].rows, other);
-        const bool is_later = place > plan.place[sides[t].node];
-        const NodeRows &late = is_later ? sides[s].rows : sides[t].rows,
-                       &early = is_later ? sides[t].rows : sides[s].rows;
-        add_outer(late, is_later ? other : scaled, lower[*pair]);
-        add_outer(is_later ? scaled : other, early, upper[*pair]);
-      }
-    }
-  }
-}
-
 }  // namespace
 
 NodeLu::NodeLu(const BodyIsland& island, const NodePlan& plan)
@@ -120,21 +149,26 @@ NodeLu::NodeLu(const BodyIsland& island, const NodePlan& plan)
       diagonal_(plan.size()),
       lower_(plan.num_blocks()),
       upper_(plan.num_blocks()),
-      ordered_(plan.size()) {}
+      ordered_(plan.size()),
+      progress_(plan.num_tasks()) {}
 
 bool NodeLu::factor(const std::vector<Mat3>& g) {
-  NodeBlock one;
-  for (int k = 0; k < k_node_size; ++k) one.column[k][k] = 1;
-  diagonal_.assign(diagonal_.size(), one);
-  lower_.assign(lower_.size(), {});
-  upper_.assign(upper_.size(), {});
-  add_contacts_to_both(island_, plan_, g.data(), diagonal_.data(), lower_.data(), upper_.data());
-  return eliminate_both(plan_, diagonal_.data(), lower_.data(), upper_.data());
+  std::atomic<bool> has_factors = true;
+  run_tasks(plan_, progress_, island_.threads(), [&](const TaskRun& run) {
+    if (!eliminate_both(&island_.rows(0), plan_, g.data(), run, diagonal_.data(), lower_.data(), upper_.data()))
+      has_factors = false;
+  });
+  return has_factors;
 }
 
 void NodeLu::solve(NodeVector& x) {
   for (int k = 0; k < plan_.size(); ++k) ordered_[k] = x[plan_.source[k]];
-  substitute_both(plan_, diagonal_.data(), lower_.data(), upper_.data(), ordered_.data());
+  run_tasks(plan_, progress_, island_.threads(), [&](const TaskRun& run) {
+    substitute_lower(plan_, run, diagonal_.data(), lower_.data(), ordered_.data());
+  });
+  run_tasks_back(plan_, island_.threads(), [&](const TaskRun& run) {
+    substitute_upper(plan_, run, diagonal_.data(), upper_.data(), ordered_.data());
+  });
   for (int k = 0; k < plan_.size(); ++k) x[plan_.source[k]] = ordered_[k];
 }
 

@@ -6,7 +6,7 @@
 ///
 /// Cost: twice that of node_cholesky.h.
 #include "contact/solvers/bodies/body_island.h"
-#include "contact/solvers/bodies/node_plan.h"
+#include "contact/solvers/bodies/node_tasks.h"
 
 namespace nilas::solvers {
 
@@ -27,6 +27,7 @@ class NodeLu {
   std::vector<NodeBlock> lower_;  ///< blocks (later, earlier) of L
   std::vector<NodeBlock> upper_;  ///< blocks (earlier, later) of U, transposed
   NodeVector ordered_;
+  TaskProgress progress_;
 };
 
 }  // namespace nilas::solvers

@@ -1,6 +1,7 @@
 #include "contact/solvers/bodies/node_plan.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "contact/problem/block_fill.h"
 
@@ -12,19 +13,21 @@ constexpr std::size_t k_most_blocks = 1000000;
 /// A jam of 3900 floes has 5e4 products. Where there are many more, W is factorised in less time, since open contacts
 /// are not part of it.
 constexpr double k_most_products = 5e5;
+/// What a column takes besides its products of blocks, in such products.
+constexpr double k_work_of_column = 8;
+/// Of all products, the most in a task of several columns.
+constexpr double k_share_of_task = 1.0 / 12;
 
 /// The nodes that each node shares a contact with, itself among them, as the rows of a matrix.
 void pattern_of(const BodyIsland& island, std::vector<int>& row_start, std::vector<int>& column) {
   std::vector<std::vector<int>> lists(static_cast<std::size_t>(island.num_nodes()));
   for (int k = 0; k < island.num_nodes(); ++k) lists[k].push_back(k);
-  for (int c = 0; c < island.num_contacts(); ++c) {
-    const auto sides = island.sides(c);
-    for (std::size_t s = 0; s < sides.size(); ++s)
-      for (std::size_t t = s + 1; t < sides.size(); ++t) {
-        lists[sides[s].node].push_back(sides[t].node);
-        lists[sides[t].node].push_back(sides[s].node);
+  for (int c = 0; c < island.num_contacts(); ++c)
+    for (int s = island.first_side(c); s < island.first_side(c + 1); ++s)
+      for (int t = s + 1; t < island.first_side(c + 1); ++t) {
+        lists[island.node(s)].push_back(island.node(t));
+        lists[island.node(t)].push_back(island.node(s));
       }
-  }
   row_start.assign(1, 0);
   for (auto& list : lists) {
     std::sort(list.begin(), list.end());
@@ -52,16 +55,77 @@ double num_products(const NodePlan& plan) {
 }
 
 void find_targets(NodePlan& plan) {
+  plan.earlier_start.assign(static_cast<std::size_t>(plan.size()) + 1, 0);
+  for (const int row : plan.rows) ++plan.earlier_start[row + 1];
+  for (int j = 0; j < plan.size(); ++j) plan.earlier_start[j + 1] += plan.earlier_start[j];
+  std::vector<std::size_t> next(plan.earlier_start.begin(), plan.earlier_start.end() - 1);
+  plan.earlier.resize(plan.num_blocks());
   for (int j = 0; j < plan.size(); ++j) {
     const std::size_t last = plan.start[j + 1];
     for (std::size_t s = plan.start[j]; s < last; ++s) {
+      plan.earlier[next[plan.rows[s]]++] = {s, plan.target.size(), j};
       std::size_t at = plan.start[plan.rows[s]];
       for (std::size_t t = s + 1; t < last; ++t) {
         while (plan.rows[at] != plan.rows[t]) ++at;
         plan.target.push_back(static_cast<int>(at));
       }
     }
-    plan.target_start.push_back(plan.target.size());
+  }
+}
+
+/// Makes one task of each largest subtree of the elimination tree that takes at most a share of the products, with the
+/// columns of small ones put together, and one of each column above them. The number of threads plays no part.
+void find_tasks(NodePlan& plan) {
+  std::vector<double> work(static_cast<std::size_t>(plan.size()));
+  std::vector<int> parent(work.size(), -1);
+  double all = 0;
+  for (int j = 0; j < plan.size(); ++j) {
+    const std::size_t m = plan.start[j + 1] - plan.start[j];
+    const double own = k_work_of_column + 0.5 * static_cast<double>(m * (m + 1));
+    all += own;
+    work[j] += own;  // of the columns below too, which come first
+    if (m == 0) continue;
+    parent[j] = plan.rows[plan.start[j]];
+    work[parent[j]] += work[j];
+  }
+  const double most = k_share_of_task * all;
+  std::vector<int> piece(work.size(), -1);
+  int pieces = 0;
+  double filled = most;
+  for (int j = plan.size() - 1; j >= 0; --j) {
+    if (work[j] > most) continue;
+    if (parent[j] >= 0 && piece[parent[j]] >= 0) {
+      piece[j] = piece[parent[j]];
+      continue;
+    }
+    if (filled + work[j] > most) {
+      ++pieces;
+      filled = 0;
+    }
+    filled += work[j];
+    piece[j] = pieces - 1;
+  }
+  plan.num_pieces = pieces;
+  plan.task_of.resize(work.size());
+  for (int j = 0, above = pieces; j < plan.size(); ++j) plan.task_of[j] = piece[j] >= 0 ? piece[j] : above++;
+  plan.task_columns.resize(work.size());
+  std::iota(plan.task_columns.begin(), plan.task_columns.end(), 0);
+  std::stable_sort(plan.task_columns.begin(), plan.task_columns.end(),
+                   [&](int a, int b) { return plan.task_of[a] < plan.task_of[b]; });
+  for (int k = 1; k <= plan.size(); ++k)
+    if (k == plan.size() || plan.task_of[plan.task_columns[k]] != plan.task_of[plan.task_columns[k - 1]])
+      plan.task_start.push_back(k);
+}
+
+void find_sides(const BodyIsland& island, NodePlan& plan) {
+  for (int j = 0; j < plan.size(); ++j) {
+    for (const NodeEntry& entry : island.entries(plan.source[j])) {
+      for (int t = island.first_side(entry.contact); t < island.first_side(entry.contact + 1); ++t)
+        if (const int other = plan.place[island.node(t)]; other > j)
+          plan.pairs.push_back({find_block(plan, j, other), t, t < entry.side});
+      plan.sides.push_back({entry.contact, entry.side, static_cast<int>(plan.pairs.size())});
+    }
+    plan.side_start.push_back(plan.sides.size());
   }
 }
 
@@ -79,13 +143,8 @@ std::optional<NodePlan> plan_nodes(const BodyIsland& island) {
   plan.rows = std::move(fill.upper.columns);
   if (num_products(plan) > k_most_products) return {};
   find_targets(plan);
-  for (int c = 0; c < island.num_contacts(); ++c) {
-    const auto sides = island.sides(c);
-    for (std::size_t s = 0; s < sides.size(); ++s)
-      for (std::size_t t = s + 1; t < sides.size(); ++t)
-        plan.pair.push_back(find_block(plan, plan.place[sides[s].node], plan.place[sides[t].node]));
-    plan.pair_start.push_back(plan.pair.size());
-  }
+  find_tasks(plan);
+  find_sides(island, plan);
   return plan;
 }
 

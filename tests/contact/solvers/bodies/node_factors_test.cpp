@@ -32,9 +32,9 @@ struct Case {
       g.emplace_back(root * root.transpose());
       if (!symmetric) g.back()(0, 1) += 0.5;
       MatX j = MatX::Zero(3, size);
-      for (const NodeSide& side : bodies.sides(c))
+      for (int side = bodies.first_side(c); side < bodies.first_side(c + 1); ++side)
         for (int i = 0; i < 3; ++i)
-          for (int k = 0; k < k_node_size; ++k) j(i, k_node_size * side.node + k) = side.rows.row[i][k];
+          for (int k = 0; k < k_node_size; ++k) j(i, k_node_size * bodies.node(side) + k) = bodies.rows(side).row[i][k];
       dense += j.transpose() * g.back() * j;
     }
   }
