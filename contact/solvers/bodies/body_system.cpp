@@ -24,15 +24,17 @@ VecX free_contact_velocities(const BodyIsland& bodies) {
 
 BodySystem::BodySystem(const contact::PreparedProblem& island, const BodyIsland& bodies, const NodePlan& plan)
     : NewtonSystem(island.problem(), inverse_masses_of_bodies(island), island.inverse_mass_scales(),
-                   free_contact_velocities(bodies), false),
+                   free_contact_velocities(bodies), false, bodies.threads()),
       island_(island),
       bodies_(bodies),
-      lu_(bodies, plan) {}
+      lu_(bodies, plan),
+      g_(slopes().size()),
+      by_motion_(slopes().size()) {}
 
 /// z += sum J'^T r'
 void BodySystem::moved(const VecX& r, NodeVector& z) const {
   ContactVectors scaled(static_cast<std::size_t>(num_contacts()));
-  for (int c = 0; c < num_contacts(); ++c) scaled.set(c, scale(c) * r.segment<3>(contact::row_of(c)));
+  for_contacts([&](int c) { scaled.set(c, scale(c) * r.segment<3>(contact::row_of(c))); });
   bodies_.add_impulses(scaled, z);
 }
 
@@ -41,7 +43,7 @@ VecX BodySystem::seen(const NodeVector& z) const {
   ContactVectors u(static_cast<std::size_t>(num_contacts()));
   bodies_.relative_velocities(z, u);
   VecX out(contact::row_of(num_contacts()));
-  for (int c = 0; c < num_contacts(); ++c) out.segment<3>(contact::row_of(c)) = scale(c) * u.at(c);
+  for_contacts([&](int c) { out.segment<3>(contact::row_of(c)) = scale(c) * u.at(c); });
   return out;
 }
 
@@ -56,36 +58,38 @@ VecX BodySystem::product(const VecX& r) const {
   NodeVector z(static_cast<std::size_t>(bodies_.num_nodes()));
   moved(r, z);
   VecX out = seen(z);
-  for (int c = 0; c < num_contacts(); ++c)
+  for_contacts([&](int c) {
     out.segment<3>(contact::row_of(c)) += compliance(c).cwiseProduct(r.segment<3>(contact::row_of(c)));
+  });
   return out;
 }
 
 bool BodySystem::step(double weight, const VecX& r, VecX& dr) {
   const auto& laws = slopes();
-  std::vector<Mat3> g(laws.size(), Mat3::Zero()), by_motion(laws.size(), Mat3::Zero());
   VecX push(r.size());  // impulses that the step has without moving anything
-  for (int c = 0; c < num_contacts(); ++c) {
+  for_contacts([&](int c) {
     const Eigen::Index row = contact::row_of(c);
     if (laws[c].open) {
       push.segment<3>(row) = -r.segment<3>(row);
-      continue;
+      g_[c] = by_motion_[c] = Mat3::Zero();
+      return;
     }
     Mat3 k = weight * laws[c].by_velocity + laws[c].by_impulse;
     k += laws[c].by_velocity * compliance(c).asDiagonal();
     const Mat3 inverse = k.inverse();
-    by_motion[c] = inverse * laws[c].by_velocity;
+    by_motion_[c] = inverse * laws[c].by_velocity;
     push.segment<3>(row) = -inverse * laws[c].value;
-    g[c] = scale(c) * scale(c) * by_motion[c];
-  }
-  if (!push.allFinite() || !lu_.factor(g)) return false;
+    g_[c] = scale(c) * scale(c) * by_motion_[c];
+  });
+  if (!push.allFinite() || !lu_.factor(g_)) return false;
   NodeVector z(static_cast<std::size_t>(bodies_.num_nodes()));
   moved(push, z);
   lu_.solve(z);
   const VecX motion = seen(z);
   dr = push;
-  for (int c = 0; c < num_contacts(); ++c)
-    if (!laws[c].open) dr.segment<3>(contact::row_of(c)) -= by_motion[c] * motion.segment<3>(contact::row_of(c));
+  for_contacts([&](int c) {
+    if (!laws[c].open) dr.segment<3>(contact::row_of(c)) -= by_motion_[c] * motion.segment<3>(contact::row_of(c));
+  });
   return dr.allFinite();
 }
 

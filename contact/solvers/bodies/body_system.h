@@ -31,6 +31,7 @@ class BodySystem final : public NewtonSystem {
   const contact::PreparedProblem& island_;
   const BodyIsland& bodies_;
   NodeLu lu_;
+  std::vector<Mat3> g_, by_motion_;  ///< U and K^-1 U of each contact in impulses and scaled, zero where it is open
 };
 
 }  // namespace nilas::solvers

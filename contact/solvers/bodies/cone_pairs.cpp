@@ -1,6 +1,7 @@
 #include "contact/solvers/bodies/cone_pairs.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "contact/solvers/linear/wide_clones.h"
@@ -12,24 +13,26 @@ namespace {
 /// Three lists of numbers that are read.
 struct Read {
   const double *n, *t1, *t2;
-  Read(const ContactVectors& v) : n(v.row[0].data()), t1(v.row[1].data()), t2(v.row[2].data()) {}
+  Read(const ContactVectors& v, std::size_t first)
+      : n(v.row[0].data() + first), t1(v.row[1].data() + first), t2(v.row[2].data() + first) {}
 };
 
 /// Three lists that are written.
 struct Written {
   double *n, *t1, *t2;
-  Written(ContactVectors& v) : n(v.row[0].data()), t1(v.row[1].data()), t2(v.row[2].data()) {}
+  Written(ContactVectors& v, std::size_t first)
+      : n(v.row[0].data() + first), t1(v.row[1].data() + first), t2(v.row[2].data() + first) {}
 };
 
 struct WrittenMatrices {
   double *m00, *m10, *m20, *m11, *m21, *m22;
-  WrittenMatrices(ContactMatrices& m)
-      : m00(m.entry[0].data()),
-        m10(m.entry[1].data()),
-        m20(m.entry[2].data()),
-        m11(m.entry[3].data()),
-        m21(m.entry[4].data()),
-        m22(m.entry[5].data()) {}
+  WrittenMatrices(ContactMatrices& m, std::size_t first)
+      : m00(m.entry[0].data() + first),
+        m10(m.entry[1].data() + first),
+        m20(m.entry[2].data() + first),
+        m11(m.entry[3].data() + first),
+        m21(m.entry[4].data() + first),
+        m22(m.entry[5].data() + first) {}
 };
 
 /// A point that rounding put on the boundary counts as inside by this share of its length.
@@ -37,7 +40,17 @@ constexpr double k_hair = 4e-16;
 /// Relative rounding of a discriminant.
 constexpr double k_rounding = 1e-14;
 
-std::ptrdiff_t size_of(const ContactVectors& v) { return static_cast<std::ptrdiff_t>(v.row[0].size()); }
+/// Contacts whose least numbers are found together.
+constexpr std::size_t k_batch = 256;
+
+std::ptrdiff_t size_of(ContactRange range) { return static_cast<std::ptrdiff_t>(range.last - range.first); }
+
+/// Calls body(part) for the parts of a range that fit into a batch.
+template <class Body>
+void in_batches(ContactRange range, const Body& body) {
+  for (std::size_t first = range.first; first < range.last; first += k_batch)
+    body(ContactRange{first, std::min(range.last, first + k_batch)});
+}
 
 /// Fills `least` with the smaller of the two distances to the cones' sides, a hair added.
 NILAS_WIDE_CLONES void scale_all(std::ptrdiff_t count, Read x, Read y, Written p, Written l, double* b,
@@ -143,31 +156,47 @@ NILAS_WIDE_CLONES void move_all(std::ptrdiff_t count, Read dx, double t, Written
 
 }  // namespace
 
-bool scale(const ContactVectors& x, const ContactVectors& y, ConeScaling& scaling) {
-  std::vector<double> least(x.row[0].size());
-  scale_all(size_of(x), x, y, scaling.p, scaling.scaled, scaling.b.data(), scaling.squared, least.data());
-  return std::all_of(least.begin(), least.end(), [](double margin) { return margin > 0; }) &&
-         std::all_of(scaling.b.begin(), scaling.b.end(), [](double b) { return std::isfinite(b); });
+bool scale(const ContactVectors& x, const ContactVectors& y, ConeScaling& scaling, ContactRange range) {
+  bool is_inside = true;
+  in_batches(range, [&](ContactRange part) {
+    std::array<double, k_batch> least;
+    const std::size_t at = part.first;
+    double* const b = scaling.b.data() + at;
+    scale_all(size_of(part), {x, at}, {y, at}, {scaling.p, at}, {scaling.scaled, at}, b, {scaling.squared, at},
+              least.data());
+    is_inside = is_inside &&
+                std::all_of(least.data(), least.data() + size_of(part), [](double margin) { return margin > 0; }) &&
+                std::all_of(b, b + size_of(part), [](double one) { return std::isfinite(one); });
+  });
+  return is_inside;
 }
 
-void from_dual(const ConeScaling& scaling, const ContactVectors& g, const ContactVectors& a, ContactVectors& out) {
-  twice_all(size_of(a), scaling.p, scaling.b.data(), 1, g, a, out);
+void from_dual(const ConeScaling& scaling, const ContactVectors& g, const ContactVectors& a, ContactVectors& out,
+               ContactRange range) {
+  const std::size_t at = range.first;
+  twice_all(size_of(range), {scaling.p, at}, scaling.b.data() + at, 1, {g, at}, {a, at}, {out, at});
 }
 
-void to_primal(const ConeScaling& scaling, const ContactVectors& g, const ContactVectors& a, ContactVectors& out) {
-  twice_all(size_of(a), scaling.p, scaling.b.data(), -1, g, a, out);
+void to_primal(const ConeScaling& scaling, const ContactVectors& g, const ContactVectors& a, ContactVectors& out,
+               ContactRange range) {
+  const std::size_t at = range.first;
+  twice_all(size_of(range), {scaling.p, at}, scaling.b.data() + at, -1, {g, at}, {a, at}, {out, at});
 }
 
 void corrected(const ConeScaling& scaling, const ContactVectors& dx, const ContactVectors& dy, double target,
-               ContactVectors& g) {
-  correct_all(size_of(dx), scaling.p, scaling.b.data(), scaling.scaled, dx, dy, target, g);
+               ContactVectors& g, ContactRange range) {
+  const std::size_t at = range.first;
+  correct_all(size_of(range), {scaling.p, at}, scaling.b.data() + at, {scaling.scaled, at}, {dx, at}, {dy, at}, target,
+              {g, at});
 }
 
-double longest_step(const ContactVectors& x, const ContactVectors& dx) {
-  std::vector<double> longest(x.row[0].size());
-  steps_to_boundary(size_of(x), x, dx, longest.data());
+double longest_step(const ContactVectors& x, const ContactVectors& dx, ContactRange range) {
   double least = 1;
-  for (const double one : longest) least = std::min(least, one);
+  in_batches(range, [&](ContactRange part) {
+    std::array<double, k_batch> longest;
+    steps_to_boundary(size_of(part), {x, part.first}, {dx, part.first}, longest.data());
+    for (std::ptrdiff_t c = 0; c < size_of(part); ++c) least = std::min(least, longest[c]);
+  });
   return least;
 }
 
@@ -179,6 +208,8 @@ double gap_after(const ContactVectors& x, const ContactVectors& y, const Contact
   return sum;
 }
 
-void move(const ContactVectors& dx, double t, ContactVectors& x) { move_all(size_of(x), dx, t, x); }
+void move(const ContactVectors& dx, double t, ContactVectors& x, ContactRange range) {
+  move_all(size_of(range), {dx, range.first}, t, {x, range.first});
+}
 
 }  // namespace nilas::solvers

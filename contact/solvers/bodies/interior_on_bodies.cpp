@@ -85,28 +85,40 @@ InteriorOnBodies::InteriorOnBodies(const contact::PreparedProblem& island, const
 
 VecX InteriorOnBodies::impulses() const {
   VecX r(contact::row_of(static_cast<Eigen::Index>(count_)));
-  for (std::size_t c = 0; c < count_; ++c) {
-    const Vec3 x = x_.at(c);
-    r.segment<3>(contact::row_of(c)) = Vec3(slope_n_[c] * x[0], slope_t_[c] * x[1], slope_t_[c] * x[2]);
-  }
+  for_contacts([&](ContactRange range) {
+    for (std::size_t c = range.first; c < range.last; ++c) {
+      const Vec3 x = x_.at(c);
+      r.segment<3>(contact::row_of(c)) = Vec3(slope_n_[c] * x[0], slope_t_[c] * x[1], slope_t_[c] * x[2]);
+    }
+  });
   return r;
+}
+
+/// The contacts of a range with a limit or compliance.
+std::span<const int> InteriorOnBodies::soft_in(ContactRange range) const {
+  const auto first = std::lower_bound(soft_.begin(), soft_.end(), static_cast<int>(range.first));
+  return {first, std::lower_bound(first, soft_.end(), static_cast<int>(range.last))};
 }
 
 /// z of the impulses of x, and its compliant velocities.
 void InteriorOnBodies::find_motion(NodeVector& z, ContactVectors& u) {
-  for (std::size_t c = 0; c < count_; ++c) {
-    work_.row[0][c] = slope_n_[c] * x_.row[0][c];
-    work_.row[1][c] = slope_t_[c] * x_.row[1][c];
-    work_.row[2][c] = slope_t_[c] * x_.row[2][c];
-  }
+  for_contacts([&](ContactRange range) {
+    for (std::size_t c = range.first; c < range.last; ++c) {
+      work_.row[0][c] = slope_n_[c] * x_.row[0][c];
+      work_.row[1][c] = slope_t_[c] * x_.row[1][c];
+      work_.row[2][c] = slope_t_[c] * x_.row[2][c];
+    }
+  });
   z = bodies_.free_motion();
   bodies_.add_impulses(work_, z);
-  bodies_.relative_velocities(z, u);
-  for (std::size_t c = 0; c < count_; ++c) {
-    u.row[0][c] += bodies_.prescribed().row[0][c] + problem_.compliance[c] * work_.row[0][c];
-    u.row[1][c] += bodies_.prescribed().row[1][c];
-    u.row[2][c] += bodies_.prescribed().row[2][c];
-  }
+  for_contacts([&](ContactRange range) {
+    bodies_.relative_velocities(z, u, range.first, range.last);
+    for (std::size_t c = range.first; c < range.last; ++c) {
+      u.row[0][c] += bodies_.prescribed().row[0][c] + problem_.compliance[c] * work_.row[0][c];
+      u.row[1][c] += bodies_.prescribed().row[1][c];
+      u.row[2][c] += bodies_.prescribed().row[2][c];
+    }
+  });
 }
 
 /// The largest residual of the law with the velocities that the impulses of x give, and r_z.
@@ -114,30 +126,35 @@ double InteriorOnBodies::find_map() {
   find_motion(r_z_, other_);
   for (std::size_t k = 0; k < z_.size(); ++k)
     for (int i = 0; i < k_node_width; ++i) r_z_[k].value[i] = z_[k].value[i] - r_z_[k].value[i];
-  double worst = 0;
-  for (std::size_t c = 0; c < count_; ++c) {
-    const Vec3 x = x_.at(c), r(slope_n_[c] * x[0], slope_t_[c] * x[1], slope_t_[c] * x[2]);
-    const contact::ContactScale scale{friction_[c], problem_.force_limit[c], island_.inverse_mass_scales()[c]};
-    const double map = contact::law_map(problem_.law, problem_.facets, scale, r, other_.at(c));
-    if (!(map <= worst) && !std::isnan(worst)) worst = map;
-  }
-  return worst;
+  const auto graver = [](double worst, double map) { return !(map <= worst) && !std::isnan(worst) ? map : worst; };
+  const auto worst_of = [&](ContactRange range) {
+    double worst = 0;
+    for (std::size_t c = range.first; c < range.last; ++c) {
+      const Vec3 x = x_.at(c), r(slope_n_[c] * x[0], slope_t_[c] * x[1], slope_t_[c] * x[2]);
+      const contact::ContactScale scale{friction_[c], problem_.force_limit[c], island_.inverse_mass_scales()[c]};
+      worst = graver(worst, contact::law_map(problem_.law, problem_.facets, scale, r, other_.at(c)));
+    }
+    return worst;
+  };
+  return reduce_contacts(0.0, worst_of, graver);
 }
 
 /// r_y and the slope of the shift.
 void InteriorOnBodies::find_off() {
   const bool shifts = problem_.law == Law::coulomb;
-  for (std::size_t c = 0; c < count_; ++c) {
-    const double mu = friction_[c], sn = slope_n_[c], st = slope_t_[c];
-    const Vec3 u = u_.at(c);
-    const double t = contact::tangential_norm(u), shift = shifts ? mu * t : 0;
-    const double slope = shifts && t > 0 ? settings_.slope_share * sn * mu / t : 0;
-    along_1_[c] = slope * u[1];
-    along_2_[c] = slope * u[2];
-    r_y_.row[0][c] = y_.row[0][c] - sn * (u[0] + shift);
-    r_y_.row[1][c] = y_.row[1][c] - st * u[1];
-    r_y_.row[2][c] = y_.row[2][c] - st * u[2];
-  }
+  for_contacts([&](ContactRange range) {
+    for (std::size_t c = range.first; c < range.last; ++c) {
+      const double mu = friction_[c], sn = slope_n_[c], st = slope_t_[c];
+      const Vec3 u = u_.at(c);
+      const double t = contact::tangential_norm(u), shift = shifts ? mu * t : 0;
+      const double slope = shifts && t > 0 ? settings_.slope_share * sn * mu / t : 0;
+      along_1_[c] = slope * u[1];
+      along_2_[c] = slope * u[2];
+      r_y_.row[0][c] = y_.row[0][c] - sn * (u[0] + shift);
+      r_y_.row[1][c] = y_.row[1][c] - st * u[1];
+      r_y_.row[2][c] = y_.row[2][c] - st * u[2];
+    }
+  });
   for (std::size_t i = 0; i < capped_.size(); ++i) r_y_.row[0][capped_[i]] -= multiplier_[i];
 }
 
@@ -178,15 +195,27 @@ double InteriorOnBodies::stiffness(std::size_t c) const {
 }
 
 bool InteriorOnBodies::factor() {
-  if (!scale(x_, y_, scaling_)) return false;
+  const bool is_full = settings_.shift == Shift::differentiated;
+  const auto fill = [&](ContactRange range) {
+    if (!scale(x_, y_, scaling_, range)) return false;
+    fill_symmetric(range);
+    if (is_full) fill_full(range);
+    return true;
+  };
+  if (!reduce_contacts(char{1}, fill, [](char a, char b) { return static_cast<char>(a && b); })) return false;
+  return is_full ? lu_->factor(g_full_) : cholesky_.factor(g_matrix_);
+}
+
+/// S Q' S
+void InteriorOnBodies::fill_symmetric(ContactRange range) {
   auto& q = scaling_.squared.entry;
-  for (const int c : soft_) {
+  for (const int c : soft_in(range)) {
     const Vec3 first(q[0][c], q[1][c], q[2][c]);
     const Mat3 soft = stiffened(scaling_.b[c] * scaling_.b[c], first, stiffness(c));
     const int place[6][2] = {{0, 0}, {1, 0}, {2, 0}, {1, 1}, {2, 1}, {2, 2}};
     for (std::size_t i = 0; i < 6; ++i) q[i][c] = soft(place[i][0], place[i][1]);
   }
-  for (std::size_t c = 0; c < count_; ++c) {
+  for (std::size_t c = range.first; c < range.last; ++c) {
     const double nn = slope_n_[c] * slope_n_[c], nt = slope_n_[c] * slope_t_[c], tt = slope_t_[c] * slope_t_[c];
     g_matrix_.entry[0][c] = nn * q[0][c];
     g_matrix_.entry[1][c] = nt * q[1][c];
@@ -195,28 +224,31 @@ bool InteriorOnBodies::factor() {
     g_matrix_.entry[4][c] = tt * q[4][c];
     g_matrix_.entry[5][c] = tt * q[5][c];
   }
-  if (settings_.shift == Shift::lagged) return cholesky_.factor(g_matrix_);
-  std::vector<Mat3> g(count_);
-  for (std::size_t c = 0; c < count_; ++c) {
-    const auto& e = g_matrix_.entry;
-    g[c] << e[0][c], e[1][c], e[2][c], e[1][c], e[3][c], e[4][c], e[2][c], e[4][c], e[5][c];
-    // S Q S' with the slope in the first row of S'
-    const Vec3 first = g[c].col(0) / slope_n_[c];
-    g[c].col(1) += along_1_[c] * first;
-    g[c].col(2) += along_2_[c] * first;
+}
+
+/// S Q' S' with the slope of the shift in the first row of S'
+void InteriorOnBodies::fill_full(ContactRange range) {
+  const auto& e = g_matrix_.entry;
+  for (std::size_t c = range.first; c < range.last; ++c) {
+    Mat3& g = g_full_[c];
+    g << e[0][c], e[1][c], e[2][c], e[1][c], e[3][c], e[4][c], e[2][c], e[4][c], e[5][c];
+    const Vec3 first = g.col(0) / slope_n_[c];
+    g.col(1) += along_1_[c] * first;
+    g.col(2) += along_2_[c] * first;
   }
-  return lu_->factor(g);
 }
 
 /// The step for the right sides g and line.
 void InteriorOnBodies::find_direction(Direction& d) {
-  from_dual(scaling_, g_, r_y_, work_);
-  for (const int c : soft_) work_.set(c, yielding(c, r_y_.at(c), 1).dx);
-  for (std::size_t c = 0; c < count_; ++c) {
-    work_.row[0][c] *= slope_n_[c];
-    work_.row[1][c] *= slope_t_[c];
-    work_.row[2][c] *= slope_t_[c];
-  }
+  for_contacts([&](ContactRange range) {
+    from_dual(scaling_, g_, r_y_, work_, range);
+    for (const int c : soft_in(range)) work_.set(c, yielding(c, r_y_.at(c), 1).dx);
+    for (std::size_t c = range.first; c < range.last; ++c) {
+      work_.row[0][c] *= slope_n_[c];
+      work_.row[1][c] *= slope_t_[c];
+      work_.row[2][c] *= slope_t_[c];
+    }
+  });
   for (std::size_t k = 0; k < z_.size(); ++k)
     for (int i = 0; i < k_node_width; ++i) d.z[k].value[i] = -r_z_[k].value[i];
   bodies_.add_impulses(work_, d.z);
@@ -224,16 +256,21 @@ void InteriorOnBodies::find_direction(Direction& d) {
     cholesky_.solve(d.z);
   else
     lu_->solve(d.z);
-  bodies_.relative_velocities(d.z, d.u);
-  for (std::size_t c = 0; c < count_; ++c) {
+  for_contacts([&](ContactRange range) { follow_motion(range, d); });
+}
+
+/// Sets the direction of a range of contacts from that of the nodes.
+void InteriorOnBodies::follow_motion(ContactRange range, Direction& d) const {
+  bodies_.relative_velocities(d.z, d.u, range.first, range.last);
+  for (std::size_t c = range.first; c < range.last; ++c) {
     double dy_n = slope_n_[c] * d.u.row[0][c];
     if (settings_.shift == Shift::differentiated) dy_n += along_1_[c] * d.u.row[1][c] + along_2_[c] * d.u.row[2][c];
     d.y.row[0][c] = dy_n - r_y_.row[0][c];
     d.y.row[1][c] = slope_t_[c] * d.u.row[1][c] - r_y_.row[1][c];
     d.y.row[2][c] = slope_t_[c] * d.u.row[2][c] - r_y_.row[2][c];
   }
-  to_primal(scaling_, g_, d.y, d.x);
-  for (const int c : soft_) {
+  to_primal(scaling_, g_, d.y, d.x, range);
+  for (const int c : soft_in(range)) {
     const Yield yield = yielding(c, d.y.at(c), -1);
     d.x.set(c, yield.dx);
     d.y.row[0][c] += yield.dy_n;
@@ -262,7 +299,11 @@ InteriorOnBodies::Yield InteriorOnBodies::yielding(std::size_t c, const Vec3& a,
 }
 
 double InteriorOnBodies::longest(const Direction& d) const {
-  double t = std::min(longest_step(x_, d.x), longest_step(y_, d.y));
+  const auto least = [](double a, double b) { return std::min(a, b); };
+  const auto of_range = [&](ContactRange range) {
+    return std::min(longest_step(x_, d.x, range), longest_step(y_, d.y, range));
+  };
+  double t = reduce_contacts(1.0, of_range, least);
   for (std::size_t i = 0; i < capped_.size(); ++i) {
     if (d.slack[i] < 0) t = std::min(t, -slack_[i] / d.slack[i]);
     if (d.multiplier[i] < 0) t = std::min(t, -multiplier_[i] / d.multiplier[i]);
@@ -279,16 +320,18 @@ double InteriorOnBodies::gap(const Direction& d, double t) const {
 
 /// Sets the right sides of the corrector.
 void InteriorOnBodies::aim(const Direction& predictor, double target) {
-  corrected(scaling_, predictor.x, predictor.y, target, g_);
+  for_contacts([&](ContactRange range) { corrected(scaling_, predictor.x, predictor.y, target, g_, range); });
   for (std::size_t i = 0; i < capped_.size(); ++i)
     line_[i] = target - slack_[i] * multiplier_[i] - predictor.slack[i] * predictor.multiplier[i];
 }
 
 void InteriorOnBodies::move_by(const Direction& d, double t) {
-  move(d.x, t, x_);
-  move(d.y, t, y_);
-  move(d.u, t, u_);
-  for (const int c : soft_) u_.row[0][c] += t * problem_.compliance[c] * slope_n_[c] * d.x.row[0][c];
+  for_contacts([&](ContactRange range) {
+    move(d.x, t, x_, range);
+    move(d.y, t, y_, range);
+    move(d.u, t, u_, range);
+    for (const int c : soft_in(range)) u_.row[0][c] += t * problem_.compliance[c] * slope_n_[c] * d.x.row[0][c];
+  });
   for (std::size_t k = 0; k < z_.size(); ++k)
     for (int i = 0; i < k_node_width; ++i) z_[k].value[i] += t * d.z[k].value[i];
   for (std::size_t i = 0; i < capped_.size(); ++i) {
@@ -305,7 +348,10 @@ void InteriorOnBodies::move_by(const Direction& d, double t) {
 InteriorOnBodies::Outcome InteriorOnBodies::run(const VecX& start, double tolerance, const Budget& budget,
                                                 const InteriorSettings& settings) {
   settings_ = settings;
-  if (settings.shift == Shift::differentiated && !lu_) lu_.emplace(bodies_, plan_);
+  if (settings.shift == Shift::differentiated && !lu_) {
+    lu_.emplace(bodies_, plan_);
+    g_full_.resize(count_);
+  }
   begin(start);
   return go_on(tolerance, budget);
 }
@@ -334,8 +380,10 @@ InteriorOnBodies::Outcome InteriorOnBodies::go_on(double tolerance, const Budget
     ++best.iterations;
     if (!factor()) break;
     const double before = gap(d, 0);
-    for (std::size_t i = 0; i < 3; ++i)
-      for (std::size_t c = 0; c < count_; ++c) g_.row[i][c] = -scaling_.scaled.row[i][c];
+    for_contacts([&](ContactRange range) {
+      for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t c = range.first; c < range.last; ++c) g_.row[i][c] = -scaling_.scaled.row[i][c];
+    });
     for (std::size_t i = 0; i < capped_.size(); ++i) line_[i] = -slack_[i] * multiplier_[i];
     find_direction(d);
     const double share = gap(d, longest(d)) / before;

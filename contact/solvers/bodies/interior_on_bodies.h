@@ -24,11 +24,14 @@
 ///
 /// Sources: De Saxce, Feng 1998; Nesterov, Todd 1998; Mehrotra 1992; Acary, Cadoux, Lemarechal, Malick
 /// 2011. Laws: coulomb, ccp and frictionless.
+#include <numeric>
 #include <optional>
+#include <span>
 
 #include "contact/solvers/bodies/cone_pairs.h"
 #include "contact/solvers/bodies/node_lu.h"
 #include "contact/solvers/shared/budget.h"
+#include "core/base/parallel.h"
 
 namespace nilas::solvers {
 
@@ -74,17 +77,37 @@ class InteriorOnBodies {
   void find_off();
   VecX impulses() const;
   bool factor();
+  void fill_symmetric(ContactRange range);
+  void fill_full(ContactRange range);
   void find_direction(Direction& d);
+  void follow_motion(ContactRange range, Direction& d) const;
   double longest(const Direction& d) const;
   double gap(const Direction& d, double t) const;
   void aim(const Direction& predictor, double target);
   void move_by(const Direction& d, double t);
   double stiffness(std::size_t c) const;
+  std::span<const int> soft_in(ContactRange range) const;
   struct Yield {
     Vec3 dx;
     double dy_n;
   };
   Yield yielding(std::size_t c, const Vec3& a, double sign) const;
+
+  /// Calls body(range) for chunks of all contacts.
+  template <class Body>
+  void for_contacts(const Body& body) const {
+    parallel_chunks(static_cast<std::ptrdiff_t>(count_), k_chunk, bodies_.threads(),
+                    [&](std::ptrdiff_t, std::ptrdiff_t first, std::ptrdiff_t last) {
+                      body(ContactRange{static_cast<std::size_t>(first), static_cast<std::size_t>(last)});
+                    });
+  }
+  /// Returns what is left of `start` and of value(range) of all chunks by `choose`, whatever their order.
+  template <class T, class Value, class Choose>
+  T reduce_contacts(T start, const Value& value, const Choose& choose) const {
+    std::vector<T> of_chunk((count_ + k_chunk - 1) / k_chunk);
+    for_contacts([&](ContactRange range) { of_chunk[range.first / k_chunk] = value(range); });
+    return std::accumulate(of_chunk.begin(), of_chunk.end(), start, choose);
+  }
 
   const contact::PreparedProblem& island_;
   const contact::ContactProblem& problem_;
@@ -105,6 +128,7 @@ class InteriorOnBodies {
   std::vector<double> line_;  ///< right side of s m, of capped_
   ConeScaling scaling_;
   ContactMatrices g_matrix_;
+  std::vector<Mat3> g_full_;  ///< the same where it is not symmetric
   NodeVector z_, r_z_;
 };
 

@@ -11,8 +11,8 @@
 namespace nilas::solvers {
 
 NewtonSystem::NewtonSystem(const contact::ContactCoefficients& law, const std::vector<double>& d,
-                           std::vector<double> judged, const VecX& q, bool order_free)
-    : law_(law), order_free_(order_free), judged_(std::move(judged)), q_(q), slopes_(d.size()) {
+                           std::vector<double> judged, const VecX& q, bool order_free, int threads)
+    : law_(law), order_free_(order_free), threads_(threads), judged_(std::move(judged)), q_(q), slopes_(d.size()) {
   for (std::size_t a = 0; a < d.size(); ++a) {
     scale_.push_back(1 / std::sqrt(d[a]));
     cap_.push_back(law.force_limit[a] / scale_.back());
@@ -46,30 +46,32 @@ double NewtonSystem::length(const std::vector<double>& squares) const {
 }
 
 double NewtonSystem::linearise(const VecX& r, const VecX& u) {
-  std::vector<double> squares;
-  for (int a = 0; a < num_contacts(); ++a) {
+  std::vector<double> squares(slopes_.size());
+  for_contacts([&](int a) {
     slopes_[a] = slopes_at(a, r, u);
-    squares.push_back(slopes_[a].value.squaredNorm());
-  }
+    squares[a] = slopes_[a].value.squaredNorm();
+  });
   return length(squares);
 }
 
 double NewtonSystem::map_size(const VecX& r, const VecX& u) const {
-  std::vector<double> squares;
-  for (int a = 0; a < num_contacts(); ++a) squares.push_back(slopes_at(a, r, u).value.squaredNorm());
+  std::vector<double> squares(slopes_.size());
+  for_contacts([&](int a) { squares[a] = slopes_at(a, r, u).value.squaredNorm(); });
   return length(squares);
 }
 
 double NewtonSystem::law_map(const VecX& r) const {
   const VecX u = velocities(r);
-  double worst = 0;
-  for (int a = 0; a < num_contacts(); ++a) {
+  std::vector<double> maps(slopes_.size());
+  for_contacts([&](int a) {
     const contact::ContactScale scale{law_.mu[a], law_.force_limit[a], judged_[a]};
     const Vec3 impulse = scale_[a] * r.segment<3>(contact::row_of(a)),
                velocity = u.segment<3>(contact::row_of(a)) / scale_[a];
-    const double map = contact::law_map(law_.law, law_.facets, scale, impulse, velocity);
+    maps[a] = contact::law_map(law_.law, law_.facets, scale, impulse, velocity);
+  });
+  double worst = 0;
+  for (const double map : maps)
     if (!(map <= worst) && !std::isnan(worst)) worst = map;  // a NaN stays
-  }
   return worst;
 }
 

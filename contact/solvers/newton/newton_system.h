@@ -13,6 +13,7 @@
 
 #include "contact/problem/contact_coefficients.h"
 #include "contact/solvers/shared/law_slopes.h"
+#include "core/base/parallel.h"
 
 namespace nilas::solvers {
 
@@ -39,14 +40,22 @@ class NewtonSystem {
 
  protected:
   /// `d`: d_a. `judged`: the inverse masses by which `measure` turns residuals into velocities, without compliance.
-  /// `q`: q of the problem, not scaled. `order_free`: |F| is summed so that the order does not matter.
+  /// `q`: q of the problem, not scaled. `order_free`: |F| is summed so that the order does not matter. `threads`: of
+  /// the loops over contacts; the bits do not depend on them.
   NewtonSystem(const contact::ContactCoefficients& law, const std::vector<double>& d, std::vector<double> judged,
-               const VecX& q, bool order_free);
+               const VecX& q, bool order_free, int threads = 1);
 
   double law_map(const VecX& r) const;
   double scale(int a) const { return scale_[a]; }  ///< e_a
   const std::vector<LawSlopes>& slopes() const { return slopes_; }
   bool is_order_free() const { return order_free_; }
+  /// Calls body(a) for all contacts.
+  template <class Body>
+  void for_contacts(const Body& body) const {
+    parallel_chunks(num_contacts(), k_chunk, threads_, [&](std::ptrdiff_t, std::ptrdiff_t first, std::ptrdiff_t last) {
+      for (int a = static_cast<int>(first); a < static_cast<int>(last); ++a) body(a);
+    });
+  }
 
  private:
   LawSlopes slopes_at(int a, const VecX& r, const VecX& u) const;
@@ -54,6 +63,7 @@ class NewtonSystem {
 
   const contact::ContactCoefficients& law_;
   bool order_free_;
+  int threads_;
   std::vector<double> scale_, judged_;
   VecX q_;
   std::vector<double> cap_;

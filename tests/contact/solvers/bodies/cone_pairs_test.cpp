@@ -12,6 +12,7 @@ namespace nilas::solvers {
 namespace cone_pairs_test {
 
 constexpr std::size_t k_count = 60;
+constexpr ContactRange k_all{0, k_count};
 
 /// Points inside the cone, some of them near its side and some on its axis.
 ContactVectors points(std::uint64_t seed) {
@@ -35,10 +36,10 @@ ContactVectors directions(std::uint64_t seed) {
 TEST(ConePairs, ScaleAsOneConeIsScaled) {
   const ContactVectors x = points(1), y = points(2), a = directions(3), g = directions(4);
   ConeScaling scaling(k_count);
-  ASSERT_TRUE(scale(x, y, scaling));
+  ASSERT_TRUE(scale(x, y, scaling, k_all));
   ContactVectors dual(k_count), primal(k_count);
-  from_dual(scaling, g, a, dual);
-  to_primal(scaling, g, a, primal);
+  from_dual(scaling, g, a, dual, k_all);
+  to_primal(scaling, g, a, primal, k_all);
   for (std::size_t c = 0; c < k_count; ++c) {
     const NesterovTodd nt = nesterov_todd(x.at(c), y.at(c));
     const Mat3 t = nt.inverse;
@@ -54,10 +55,10 @@ TEST(ConePairs, ScaleAsOneConeIsScaled) {
 TEST(ConePairs, RightSidesAreThoseOfTheAlgebra) {
   const ContactVectors x = points(1), y = points(2), dx = directions(5), dy = directions(6);
   ConeScaling scaling(k_count);
-  ASSERT_TRUE(scale(x, y, scaling));
+  ASSERT_TRUE(scale(x, y, scaling, k_all));
   ContactVectors g(k_count);
   constexpr double target = 0.3;
-  corrected(scaling, dx, dy, target, g);
+  corrected(scaling, dx, dy, target, g, k_all);
   for (std::size_t c = 1; c < k_count; ++c) {
     if (c % 5 == 0) continue;  // near the side of the cone both lose digits
     const NesterovTodd nt = nesterov_todd(x.at(c), y.at(c));
@@ -72,11 +73,11 @@ TEST(ConePairs, LongestStepIsThatOfTheNearestCone) {
   const ContactVectors x = points(1), dx = directions(7);
   double expected = 1;
   for (std::size_t c = 0; c < k_count; ++c) expected = std::min(expected, step_to_boundary(x.at(c), dx.at(c)));
-  EXPECT_NEAR(longest_step(x, dx), expected, 1e-9 * expected);
+  EXPECT_NEAR(longest_step(x, dx, k_all), expected, 1e-9 * expected);
   ContactVectors line(1), back(1);
   line.set(0, {2, 0, 0});
   back.set(0, {-3, 0, 0});
-  EXPECT_NEAR(longest_step(line, back), 2.0 / 3, 1e-12);
+  EXPECT_NEAR(longest_step(line, back, {0, 1}), 2.0 / 3, 1e-12);
 }
 
 TEST(ConePairs, RefusesPointsOutsideAndWhatIsNoNumber) {
@@ -84,9 +85,9 @@ TEST(ConePairs, RefusesPointsOutsideAndWhatIsNoNumber) {
     ContactVectors x = points(1), y = points(2);
     ConeScaling scaling(k_count);
     x.set(3, bad);
-    EXPECT_FALSE(scale(x, y, scaling));
+    EXPECT_FALSE(scale(x, y, scaling, k_all));
     std::swap(x, y);
-    EXPECT_FALSE(scale(x, y, scaling));
+    EXPECT_FALSE(scale(x, y, scaling, k_all));
   }
 }
 
