@@ -107,7 +107,8 @@ void find_tasks(NodePlan& plan) {
   }
   plan.num_pieces = pieces;
   plan.task_of.resize(work.size());
-  for (int j = 0, above = pieces; j < plan.size(); ++j) plan.task_of[j] = piece[j] >= 0 ? piece[j] : above++;
+  for (int j = 0, above = pieces; j < plan.size(); ++j)
+    plan.task_of[j] = piece[j] >= 0 ? pieces - 1 - piece[j] : above++;
   plan.task_columns.resize(work.size());
   std::iota(plan.task_columns.begin(), plan.task_columns.end(), 0);
   std::stable_sort(plan.task_columns.begin(), plan.task_columns.end(),
