@@ -23,31 +23,34 @@ struct SymmetricEntries {
 };
 
 /// Turns the lower triangle of a block into its Cholesky factor, with the inverses of its diagonal on the diagonal. The
-/// matrix is 1 and a positive semidefinite one, so pivots are 1 at least, and smaller ones are rounding.
-inline bool root_of_diagonal(NodeBlock& block) {
+/// matrix is 1 and a positive semidefinite one, so pivots are 1 at least, and smaller ones are rounding. Whole columns
+/// are faster than their lower parts; what this leaves above the diagonal is not used.
+template <class Numbers>
+NILAS_PART_OF_CLONES bool root_of_diagonal(NodeBlock& block) {
   auto& x = block.column;
   for (int k = 0; k < k_node_size; ++k) {
     if (!std::isfinite(x[k][k])) return false;
     const double inverse = 1 / std::sqrt(x[k][k] < 1 ? 1 : x[k][k]);
-    for (int i = k + 1; i < k_node_size; ++i) x[k][i] *= inverse;
-    for (int j = k + 1; j < k_node_size; ++j)
-      for (int i = j; i < k_node_size; ++i) x[j][i] -= x[k][i] * x[k][j];
+    scale_column<Numbers>(inverse, x[k]);
+    for (int j = k + 1; j < k_node_size; ++j) subtract_column<Numbers>(x[k][j], x[k], x[j]);
     x[k][k] = inverse;
   }
   return true;
 }
 
 /// b <- b C^-T
-inline void divide_by_root(NodeBlock& b, const NodeBlock& c) {
+template <class Numbers>
+NILAS_PART_OF_CLONES void divide_by_root(NodeBlock& b, const NodeBlock& c) {
   for (int k = 0; k < k_node_size; ++k) {
-    scale_column(c.column[k][k], b.column[k]);
-    for (int j = k + 1; j < k_node_size; ++j) subtract_column(c.column[k][j], b.column[k], b.column[j]);
+    scale_column<Numbers>(c.column[k][k], b.column[k]);
+    for (int j = k + 1; j < k_node_size; ++j) subtract_column<Numbers>(c.column[k][j], b.column[k], b.column[j]);
   }
 }
 
 /// Sets a column to its part of 1 + sum J^T G J.
-NILAS_WIDE_CLONES void assemble_column(const NodeRows* all_rows, const NodePlan& plan, const SymmetricEntries& g, int j,
-                                       NodeBlock* diagonal, NodeBlock* below) {
+template <class Numbers>
+NILAS_PART_OF_CLONES void assemble_column(const NodeRows* all_rows, const NodePlan& plan, const SymmetricEntries& g,
+                                          int j, NodeBlock* diagonal, NodeBlock* below) {
   NodeBlock own;
   for (int k = 0; k < k_node_size; ++k) own.column[k][k] = 1;
   for (std::size_t s = plan.start[j]; s < plan.start[j + 1]; ++s) below[s] = {};
@@ -60,45 +63,55 @@ NILAS_WIDE_CLONES void assemble_column(const NodeRows* all_rows, const NodePlan&
         {g.e00[c], g.e10[c], g.e20[c]}, {g.e10[c], g.e11[c], g.e21[c]}, {g.e20[c], g.e21[c], g.e22[c]}};
     const NodeRows& rows = all_rows[side->side];
     NodeRows scaled;
-    multiply(full, rows, scaled);
-    add_outer(scaled, rows, own);
+    multiply<Numbers>(full, rows, scaled);
+    add_outer<Numbers>(scaled, rows, own);
     for (const ColumnPair* const last = pairs + side->last_pair; pair < last; ++pair) {
       // Block (later place, earlier place): the later node's coordinates along the columns.
       const NodeRows& later = all_rows[pair->side];
       if (!pair->comes_first) {
-        add_outer(later, scaled, below[pair->block]);
+        add_outer<Numbers>(later, scaled, below[pair->block]);
         continue;
       }
       NodeRows other;
-      multiply(full, later, other);
-      add_outer(other, rows, below[pair->block]);
+      multiply<Numbers>(full, later, other);
+      add_outer<Numbers>(other, rows, below[pair->block]);
     }
   }
   diagonal[j] = own;
 }
 
 /// Fills the columns of a task with the factor. Returns whether all are finite.
-NILAS_WIDE_CLONES bool eliminate_symmetric(const NodeRows* all_rows, const NodePlan& plan, const SymmetricEntries& g,
-                                           const TaskRun& run, NodeBlock* diagonal, NodeBlock* below) {
+template <class Numbers>
+NILAS_PART_OF_CLONES bool eliminate_in(const NodeRows* all_rows, const NodePlan& plan, const SymmetricEntries& g,
+                                       const TaskRun& run, NodeBlock* diagonal, NodeBlock* below) {
   bool is_finite = true;
   const EarlierBlock* const all_earlier = plan.earlier.data();
   const int* const all_targets = plan.target.data();
   const std::size_t *const starts = plan.start.data(), *const earlier_starts = plan.earlier_start.data();
   for (const int j : run.columns) {
-    assemble_column(all_rows, plan, g, j, diagonal, below);
+    assemble_column<Numbers>(all_rows, plan, g, j, diagonal, below);
     for (std::size_t e = earlier_starts[j]; e < earlier_starts[j + 1]; ++e) {
       const EarlierBlock earlier = all_earlier[e];
       run.wait_for(earlier.column);
       const NodeBlock& by = below[earlier.place];
-      subtract_product(by, by, diagonal[j]);
+      subtract_product<Numbers>(by, by, diagonal[j]);
       const int* target = all_targets + earlier.target;
       for (std::size_t t = earlier.place + 1, last = starts[earlier.column + 1]; t < last; ++t)
-        subtract_product(below[t], by, below[*target++]);
+        subtract_product<Numbers>(below[t], by, below[*target++]);
     }
-    is_finite = root_of_diagonal(diagonal[j]) && is_finite;
-    for (std::size_t s = starts[j]; s < starts[j + 1]; ++s) divide_by_root(below[s], diagonal[j]);
+    is_finite = root_of_diagonal<Numbers>(diagonal[j]) && is_finite;
+    for (std::size_t s = starts[j]; s < starts[j + 1]; ++s) divide_by_root<Numbers>(below[s], diagonal[j]);
   }
   return is_finite;
+}
+
+NILAS_WIDEST bool eliminate_in_eights(const NodeRows* all_rows, const NodePlan& plan, const SymmetricEntries& g,
+                                      const TaskRun& run, NodeBlock* diagonal, NodeBlock* below) {
+  return eliminate_in<EightNumbers>(all_rows, plan, g, run, diagonal, below);
+}
+NILAS_WIDE_CLONES bool eliminate_in_fours(const NodeRows* all_rows, const NodePlan& plan, const SymmetricEntries& g,
+                                          const TaskRun& run, NodeBlock* diagonal, NodeBlock* below) {
+  return eliminate_in<FourNumbers>(all_rows, plan, g, run, diagonal, below);
 }
 
 /// y <- C^-1 y
@@ -109,7 +122,7 @@ NILAS_WIDE_CLONES void substitute_down(const NodePlan& plan, const TaskRun& run,
     for (std::size_t e = plan.earlier_start[j]; e < plan.earlier_start[j + 1]; ++e) {
       const EarlierBlock& earlier = plan.earlier[e];
       run.wait_for(earlier.column);
-      subtract_times(below[earlier.place], y[earlier.column].value, at);
+      subtract_times<FourNumbers>(below[earlier.place], y[earlier.column].value, at);
     }
     const auto& c = diagonal[j].column;
     for (int k = 0; k < k_node_size; ++k) {
@@ -149,8 +162,9 @@ NodeCholesky::NodeCholesky(const BodyIsland& island, const NodePlan& plan)
 
 bool NodeCholesky::factor(const ContactMatrices& g) {
   std::atomic<bool> is_finite = true;
+  const auto eliminate = has_widest_registers() ? eliminate_in_eights : eliminate_in_fours;
   run_tasks(plan_, progress_, island_.threads(), [&](const TaskRun& run) {
-    if (!eliminate_symmetric(&island_.rows(0), plan_, g, run, diagonal_.data(), below_.data())) is_finite = false;
+    if (!eliminate(&island_.rows(0), plan_, g, run, diagonal_.data(), below_.data())) is_finite = false;
   });
   return is_finite;
 }

@@ -25,17 +25,19 @@ inline bool factors_of_diagonal(NodeBlock& block) {
 }
 
 /// b <- b U^-1 with the upper factor of a diagonal block
-inline void divide_by_upper(NodeBlock& b, const NodeBlock& factors) {
+template <class Numbers>
+NILAS_PART_OF_CLONES void divide_by_upper(NodeBlock& b, const NodeBlock& factors) {
   for (int k = 0; k < k_node_size; ++k) {
-    for (int j = 0; j < k; ++j) subtract_column(factors.column[k][j], b.column[j], b.column[k]);
-    scale_column(factors.column[k][k], b.column[k]);
+    for (int j = 0; j < k; ++j) subtract_column<Numbers>(factors.column[k][j], b.column[j], b.column[k]);
+    scale_column<Numbers>(factors.column[k][k], b.column[k]);
   }
 }
 
 /// b <- b L^-T with the unit lower factor of a diagonal block
-inline void divide_by_lower(NodeBlock& b, const NodeBlock& factors) {
+template <class Numbers>
+NILAS_PART_OF_CLONES void divide_by_lower(NodeBlock& b, const NodeBlock& factors) {
   for (int k = 0; k < k_node_size; ++k)
-    for (int j = 0; j < k; ++j) subtract_column(factors.column[j][k], b.column[j], b.column[k]);
+    for (int j = 0; j < k; ++j) subtract_column<Numbers>(factors.column[j][k], b.column[j], b.column[k]);
 }
 
 /// G of a contact as rows. False where it is zero.
@@ -51,8 +53,9 @@ inline bool rows_of(const Mat3& g, double (&full)[3][3]) {
 }
 
 /// Sets a column of the lower and a row of the upper triangle to their parts of 1 + sum J^T G J.
-NILAS_WIDE_CLONES void assemble_both(const NodeRows* all_rows, const NodePlan& plan, const Mat3* g, int j,
-                                     NodeBlock* diagonal, NodeBlock* lower, NodeBlock* upper) {
+template <class Numbers>
+NILAS_PART_OF_CLONES void assemble_both(const NodeRows* all_rows, const NodePlan& plan, const Mat3* g, int j,
+                                        NodeBlock* diagonal, NodeBlock* lower, NodeBlock* upper) {
   NodeBlock own;
   for (int k = 0; k < k_node_size; ++k) own.column[k][k] = 1;
   for (std::size_t s = plan.start[j]; s < plan.start[j + 1]; ++s) lower[s] = upper[s] = {};
@@ -68,43 +71,55 @@ NILAS_WIDE_CLONES void assemble_both(const NodeRows* all_rows, const NodePlan& p
     }
     const NodeRows& rows = all_rows[side->side];
     NodeRows scaled;
-    multiply(full, rows, scaled);
-    add_outer(rows, scaled, own);
+    multiply<Numbers>(full, rows, scaled);
+    add_outer<Numbers>(rows, scaled, own);
     for (; pair < last; ++pair) {
       const NodeRows& later = all_rows[pair->side];
       NodeRows other;
-      multiply(full, later, other);
-      add_outer(later, scaled, lower[pair->block]);
-      add_outer(other, rows, upper[pair->block]);
+      multiply<Numbers>(full, later, other);
+      add_outer<Numbers>(later, scaled, lower[pair->block]);
+      add_outer<Numbers>(other, rows, upper[pair->block]);
     }
   }
   diagonal[j] = own;
 }
 
 /// Fills the columns of a task with the factors. Returns whether no pivot vanished.
-NILAS_WIDE_CLONES bool eliminate_both(const NodeRows* all_rows, const NodePlan& plan, const Mat3* g, const TaskRun& run,
-                                      NodeBlock* diagonal, NodeBlock* lower, NodeBlock* upper) {
+template <class Numbers>
+NILAS_PART_OF_CLONES bool eliminate_both(const NodeRows* all_rows, const NodePlan& plan, const Mat3* g,
+                                         const TaskRun& run, NodeBlock* diagonal, NodeBlock* lower, NodeBlock* upper) {
   bool has_factors = true;
   for (const int j : run.columns) {
-    assemble_both(all_rows, plan, g, j, diagonal, lower, upper);
+    assemble_both<Numbers>(all_rows, plan, g, j, diagonal, lower, upper);
     for (std::size_t e = plan.earlier_start[j]; e < plan.earlier_start[j + 1]; ++e) {
       const EarlierBlock& earlier = plan.earlier[e];
       run.wait_for(earlier.column);
       const NodeBlock &by_upper = upper[earlier.place], &by_lower = lower[earlier.place];
-      subtract_product(by_lower, by_upper, diagonal[j]);
+      subtract_product<Numbers>(by_lower, by_upper, diagonal[j]);
       const int* target = plan.target.data() + earlier.target;
       for (std::size_t t = earlier.place + 1; t < plan.start[earlier.column + 1]; ++t, ++target) {
-        subtract_product(lower[t], by_upper, lower[*target]);
-        subtract_product(upper[t], by_lower, upper[*target]);
+        subtract_product<Numbers>(lower[t], by_upper, lower[*target]);
+        subtract_product<Numbers>(upper[t], by_lower, upper[*target]);
       }
     }
     has_factors = factors_of_diagonal(diagonal[j]) && has_factors;
     for (std::size_t s = plan.start[j]; s < plan.start[j + 1]; ++s) {
-      divide_by_upper(lower[s], diagonal[j]);
-      divide_by_lower(upper[s], diagonal[j]);
+      divide_by_upper<Numbers>(lower[s], diagonal[j]);
+      divide_by_lower<Numbers>(upper[s], diagonal[j]);
     }
   }
   return has_factors;
+}
+
+NILAS_WIDEST bool eliminate_both_in_eights(const NodeRows* all_rows, const NodePlan& plan, const Mat3* g,
+                                           const TaskRun& run, NodeBlock* diagonal, NodeBlock* lower,
+                                           NodeBlock* upper) {
+  return eliminate_both<EightNumbers>(all_rows, plan, g, run, diagonal, lower, upper);
+}
+NILAS_WIDE_CLONES bool eliminate_both_in_fours(const NodeRows* all_rows, const NodePlan& plan, const Mat3* g,
+                                               const TaskRun& run, NodeBlock* diagonal, NodeBlock* lower,
+                                               NodeBlock* upper) {
+  return eliminate_both<FourNumbers>(all_rows, plan, g, run, diagonal, lower, upper);
 }
 
 /// y <- L^-1 y
@@ -115,7 +130,7 @@ NILAS_WIDE_CLONES void substitute_lower(const NodePlan& plan, const TaskRun& run
     for (std::size_t e = plan.earlier_start[j]; e < plan.earlier_start[j + 1]; ++e) {
       const EarlierBlock& earlier = plan.earlier[e];
       run.wait_for(earlier.column);
-      subtract_times(lower[earlier.place], y[earlier.column].value, at);
+      subtract_times<FourNumbers>(lower[earlier.place], y[earlier.column].value, at);
     }
     const auto& x = diagonal[j].column;
     for (int k = 0; k < k_node_size; ++k)
@@ -154,8 +169,9 @@ NodeLu::NodeLu(const BodyIsland& island, const NodePlan& plan)
 
 bool NodeLu::factor(const std::vector<Mat3>& g) {
   std::atomic<bool> has_factors = true;
+  const auto eliminate = has_widest_registers() ? eliminate_both_in_eights : eliminate_both_in_fours;
   run_tasks(plan_, progress_, island_.threads(), [&](const TaskRun& run) {
-    if (!eliminate_both(&island_.rows(0), plan_, g.data(), run, diagonal_.data(), lower_.data(), upper_.data()))
+    if (!eliminate(&island_.rows(0), plan_, g.data(), run, diagonal_.data(), lower_.data(), upper_.data()))
       has_factors = false;
   });
   return has_factors;
