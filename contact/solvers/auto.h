@@ -8,7 +8,7 @@
 ///      sweeps, as long as they promise to suffice (SweepSettings::horizon)
 ///   2  for laws with cones and problems with bodies: interior point, then newton, on the bodies (body_ladder.h),
 ///      without W; in jams, with mass ratios and force limits this is what solves. It is the last rung of islands of
-///      1500 contacts or more: the next ones find the same steps from W, at four times the cost
+///      1500 contacts or more that the bodies take: the next ones find the same steps from W, at four times the cost
 ///   3  from cold and for laws that admm knows, where the sweeps of rung 1 left more than a hundredth of the residual
 ///      of no impulses and three contacts in ten stick, as in tall stacks: admm from no impulses, one factorisation, as
 ///      long as two iterations leave less than a fifth

@@ -44,6 +44,15 @@ constexpr InteriorSettings k_with_slope[] = {{Shift::differentiated, 0.7, 1, 20}
                                              {Shift::differentiated, 0.3, 20, 20},
                                              {Shift::differentiated, 0.85, 100, 20}};
 
+std::vector<InteriorSettings> ways_for(const contact::ContactProblem& problem) {
+  const bool is_convex = problem.law != Law::coulomb;
+  const auto is_slight = [](double mu) { return mu <= k_most_lagged_friction; };
+  std::vector<InteriorSettings> ways;
+  if (is_convex || std::all_of(problem.mu.begin(), problem.mu.end(), is_slight)) ways.push_back(k_lagged);
+  if (!is_convex) ways.insert(ways.end(), std::begin(k_with_slope), std::end(k_with_slope));
+  return ways;
+}
+
 /// One solve of the ladder.
 class BodyClimb {
  public:
@@ -55,20 +64,19 @@ class BodyClimb {
         interior_(island, bodies, plan),
         system_(island, bodies, plan),
         start_(start) {
-    still_ = contact::measure(island, VecX::Zero(start_.size())).law_map_m_s;
     best_.r = start_;
     best_.law_map_m_s = contact::measure(island, start_).law_map_m_s;
     if (!std::isfinite(best_.law_map_m_s)) best_.law_map_m_s = std::numeric_limits<double>::infinity();
+    still_ = keep_better(VecX::Zero(start_.size()));
   }
 
   BodyOutcome run() {
-    const contact::ContactProblem& problem = island_.problem();
-    const bool is_convex = problem.law != Law::coulomb;
-    const auto is_slight = [](double mu) { return mu <= k_most_lagged_friction; };
-    if (is_convex || std::all_of(problem.mu.begin(), problem.mu.end(), is_slight)) approach(start_, k_lagged);
-    if (!is_convex)
-      // a start that the first run did not come from is no better than none for the next
-      for (const InteriorSettings& way : k_with_slope) approach(VecX::Zero(start_.size()), way);
+    const std::vector<InteriorSettings> ways = ways_for(island_.problem());
+    for (std::size_t k = 0; k < ways.size(); ++k) {
+      // where the shift is not lagged, impulses that are off are no better a start than none
+      const bool is_lagged = ways[k].shift == Shift::lagged;
+      approach(is_lagged ? start_ : VecX(VecX::Zero(start_.size())), ways[k], k + 1 == ways.size());
+    }
     best_.has_converged = best_.law_map_m_s <= settings_.tolerance;
     return std::move(best_);
   }
@@ -79,21 +87,23 @@ class BodyClimb {
   }
   Budget left() const { return budget_.after(best_.interior + best_.newton); }
 
-  void keep_better(const VecX& r) {
+  /// Returns the residual [m/s].
+  double keep_better(const VecX& r) {
     const double map = contact::measure(island_, r).law_map_m_s;
-    if (!(map < best_.law_map_m_s)) return;
-    best_.law_map_m_s = map;
-    best_.r = r;
+    if (map < best_.law_map_m_s) {
+      best_.law_map_m_s = map;
+      best_.r = r;
+    }
+    return map;
   }
   void note(const std::vector<double>& history) {
     if (settings_.keep_history) best_.history.insert(best_.history.end(), history.begin(), history.end());
   }
 
   /// The interior point from a start, and Newton from where it ends; the second time from nearer, where the interior
-  /// point got as far as it was asked to. Newton is left out where the interior point ended far from the solution, and
-  /// the interior point where the impulses are near already and nothing failed from there.
-  void approach(const VecX& start, const InteriorSettings& way) {
-    const bool is_last = &way == std::prev(std::end(k_with_slope));
+  /// point got as far as it was asked to. Newton is left out where the interior point ended far from the solution and
+  /// another way is left, and the interior point where the impulses are near already and nothing failed from there.
+  void approach(const VecX& start, const InteriorSettings& way, bool is_last) {
     bool is_begun = false, arrives = true;
     for (const Handover& handover : k_handovers) {
       if (is_done() || !arrives) break;

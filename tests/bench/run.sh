@@ -89,7 +89,7 @@ solvers() {
     done
   done
   if [ -n "${NILAS_FCLIB_DIR:-}" ]; then files+=("$NILAS_FCLIB_DIR"/*.hdf5); fi
-  echo "problem,contacts,velocities,solver,asked,status,iterations,seconds,natural_map_m_s,missed_steps" >"$rows"
+  echo "problem,contacts,velocities,solver,asked,status,iterations,seconds,natural_map_m_s" >"$rows"
   OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 "$bin/bench_solvers" "${LIMIT:-5}" "${files[@]}" >>"$rows"
   /usr/bin/python3 tests/bench/solvers_table.py "$rows" "$out"
   echo "rows: $rows"

@@ -43,7 +43,8 @@ std::vector<StoredStep> last_steps(const std::filesystem::path& scene_file, doub
   const scene::Scene scene = scene::read_scene(scene_file);
   WarningCounts warnings(make_logger("off", ""));
   sim::Simulation simulation(scene, 1, warnings);
-  const int count = static_cast<int>(std::lround(std::min(until, scene.time.end) / scene.time.step));
+  const int count =
+      static_cast<int>(std::lround((std::min(until, scene.time.end) - scene.time.start) / scene.time.step));
   constexpr int k_apart = 5, k_first = 2 * k_apart;
   std::vector<StoredStep> found;
   for (int done = 1; done <= count; ++done) {

@@ -1,5 +1,5 @@
 #pragma once
-/// The hardest contact problem that a scene meets.
+/// Contact problems that a scene meets: the hardest one, and those of its last steps.
 #include <filesystem>
 #include <optional>
 #include <vector>
@@ -27,8 +27,9 @@ struct StoredStep {
   int step = 0;     ///< steps done, this one included
 };
 
-/// Runs a scene up to a time [s] or its end on one thread and returns its last step and those 5 and 10 steps before,
-/// as far as bodies touch in them. Throws SceneError, InputError, FileError.
+/// Runs a scene up to a time [s] or its end on one thread and returns its last step and those 5 and 10 steps before.
+/// Steps in which bodies do not touch, or with a contact between bodies that cannot move, are left out. A step that is
+/// cut into substeps stands with the last of them. Throws SceneError, InputError, FileError.
 std::vector<StoredStep> last_steps(const std::filesystem::path& scene, double until);
 
 }  // namespace nilas::compare

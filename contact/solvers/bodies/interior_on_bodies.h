@@ -13,10 +13,10 @@
 /// with r_y what y is off, g the right side in the scaled point, l = (right side of s m)/s, and 6 x 6 blocks of the
 /// bodies (node_cholesky.h).
 ///
-/// One factorisation per iteration and two solves. Gondzio's corrections took as much time as they saved. A jam of 966
-/// floes and friction 0.15 takes some 12 iterations to 1e-4 m/s and 20 to 1e-5 m/s, with or without a guess. u and z
-/// move with the steps, so that r_y keeps the digits of numbers near the end of a cone; r_z = z - z_free - sum J^T S x,
-/// what rounding leaves, enters the next step, and residuals are those of the velocities that the impulses give.
+/// One factorisation per iteration and two solves. A jam of 966 floes and friction 0.15 takes some 12 iterations to
+/// 1e-4 m/s and 20 to 1e-5 m/s, with or without a guess. u and z move with the steps, so that r_y keeps the digits of
+/// numbers near the end of a cone; r_z = z - z_free - sum J^T S x, what rounding leaves, enters the next step, and
+/// residuals are those of the velocities that the impulses give.
 /// Above a friction of about 0.2 a jam needs the slope of the shift in its steps, and with it the LU factors of
 /// node_lu.h. Near 1e-7 of the speeds rounding ends progress, since a contact between two states has the root of its
 /// gap for a residual: Newton goes on from there (body_system.h), and finds its active set in few steps, because an

@@ -13,9 +13,7 @@
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
 #define NILAS_WIDEST __attribute__((target("arch=x86-64-v4")))
 inline bool has_widest_registers() {
-  static const bool has = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
-                          __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512dq") &&
-                          __builtin_cpu_supports("avx512cd");
+  static const bool has = __builtin_cpu_supports("x86-64-v4");
   return has;
 }
 #else

@@ -17,7 +17,8 @@ class MeasuredLoop {
       : tolerance_(shared.tolerance),
         last_(budget.iterations()),
         horizon_(horizon),
-        next_(horizon > 0 ? k_first / 2 : k_first),
+        first_(horizon > 0 ? k_first / 2 : k_first),
+        next_(first_),
         enough_(shared.tolerance),
         best_(shared.tolerance, budget, {window, k_share}) {}
 
@@ -49,7 +50,7 @@ class MeasuredLoop {
   }
 
  private:
-  static constexpr int k_first = 20;  ///< iterations before the first measurement that no small change called for
+  static constexpr int k_first = 20;           ///< first_ without a horizon
   static constexpr double k_share = 1 - 1e-3;  ///< less of a fall is no progress
   static constexpr const char* k_overflow = "the impulses grew beyond all numbers";
 
@@ -61,14 +62,15 @@ class MeasuredLoop {
   void judge(double change, double residual, const VecX& r) {
     const int done = best_.iterations();
     const bool is_fixed = change == 0 && last_change_ == 0;
+    const bool is_scheduled = done >= next_;  // others follow a small change, and may be one iteration apart
     is_measured_ = true;
     last_change_ = change;
-    next_ = done + std::max(horizon_ > 0 ? k_first / 2 : k_first, done / 2);
+    next_ = done + std::max(first_, done / 2);
     enough_ = std::min(enough_, change * tolerance_ / residual);
     best_.offer(r, residual);
     if (!std::isfinite(residual))
       best_.fail(k_overflow);
-    else if (is_fixed || (horizon_ > 0 && is_slow(residual)))
+    else if (is_fixed || (horizon_ > 0 && is_scheduled && is_slow(residual)))
       best_.stall();
   }
 
@@ -91,6 +93,7 @@ class MeasuredLoop {
   double tolerance_;
   int last_;
   int horizon_;
+  int first_;  ///< iterations before the first measurement, and the fewest between scheduled ones
   int next_;
   Mark marked_;
   double enough_;

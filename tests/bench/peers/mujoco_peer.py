@@ -190,7 +190,7 @@ def main(path, seconds=300):
     detect, solve, water, total, natural = columns[len(window) // 2]
     total_95 = columns[len(window) * 95 // 100, 3]
     print(f"mujoco,{count},0,{detect:.4f},{solve:.4f},{water:.4f},{total:.4f},{contacts / len(window):.1f},"
-          f"{penetration / s.thickness:.4f},{total_95:.4f},{natural:.3g}")
+          f"{penetration / s.thickness:.4f},{total_95:.4f},{natural:.3g},0")
 
 
 if __name__ == "__main__":

@@ -60,7 +60,6 @@ TEST(Auto, GoesToTheBodiesWhereSweepsDoNotSuffice) {
   EXPECT_NE(stack.message.find("interior point"), std::string::npos) << stack.message;
 }
 
-/// Islands do not pay for each other: many alike cost the iterations of one.
 /// Rungs on W would find the steps of the bodies again, at several times their cost. No solve reaches a tolerance of
 /// zero, so every rung that is left gets its turn.
 TEST(Auto, LeavesLargeIslandsToTheBodies) {
@@ -87,6 +86,7 @@ TEST(Auto, SameBitsWithTwoThreads) {
   EXPECT_EQ(one.r, two.r);
 }
 
+/// Islands do not pay for each other: many alike cost the iterations of one.
 TEST(Auto, EveryIslandHasTheWholeBudget) {
   const contact::ContactProblem stack = test::box_stack(std::vector<double>(12, 5.0), 0.4);
   contact::ContactProblem many;

@@ -80,13 +80,18 @@ function decodePairs(reader, before) {
   const kept = before ? keptPairs(reader, before) : { first: [], second: [], from: [] };
   const { first, second, from } = kept, numKept = first.length, old = before?.contacts, oldCount = old ? old.pairNumbers.length / NUMBERS : 0;
   const numNew = reader.number(Kind.newPairs, NO_PAST);
+  if (numNew < 0) throw new RangeError('The count of new pairs of a frame is negative.');
   for (let i = 0, at = 0; i < numNew; ++i) {
     first.push(at += reader.number(Kind.first, NO_PAST));
     second.push(at + reader.number(Kind.second, NO_PAST));
   }
   const count = first.length, numbers = new Int32Array(NUMBERS * count), past = new Uint8Array(NUMBERS * count).fill(NO_PAST);
   const status = new Uint8Array(count), start = old ? old.count - oldCount : 0;
-  for (let i = 0; i < count; ++i) status[i] = reader.number(Kind.status, i < numKept ? old.status[start + from[i]] : NO_PAST);
+  for (let i = 0; i < count; ++i) {
+    const read = reader.number(Kind.status, i < numKept ? old.status[start + from[i]] : NO_PAST);
+    if (!(read >= 0 && read < NO_PAST)) throw new RangeError('The status of a pair of a frame is unknown.');
+    status[i] = read;
+  }
   for (let k = 0; k < NUMBERS; ++k) {
     const circle = TURNING.get(k);
     for (let i = 0; i < count; ++i) {
