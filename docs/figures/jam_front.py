@@ -8,13 +8,13 @@ from style import *
 FILE = pathlib.Path(__file__).resolve().parent.parent / "evidence/data/jam-front.csv"
 # engine, friction: colour, mark, where its name stands beside its first or last point
 LOOKS = {
-    ("Nilas `pgs`, pyramid", "0.15"): (SKY, "o", "Nilas pgs, pyramid", 0, (6, 5), "left"),
-    ("Nilas `nsgs`", "0.15"): (GREEN, "s", "Nilas nsgs", -1, (8, -3), "left"),
-    ("Nilas `auto`", "0.15"): (BLUE, "D", "Nilas auto", -1, (0, -13), "center"),
-    ("Nilas `auto`", "0.3"): (PURPLE, "D", "Nilas auto, friction 0.3", -1, (8, -9), "left"),
-    ("ODE", "0.15"): (ORANGE, "^", "ODE", 0, (-6, 6), "right"),
-    ("Bullet", "0.15"): (RED, "v", "Bullet", 0, (6, 5), "left"),
-    ("MuJoCo", "0.15"): (GREY, "P", "MuJoCo", 0, (-8, 6), "right"),
+    ("Nilas `pgs`, pyramid", "0.15"): (SKY, "o", "Nilas pgs, pyramid", -1, (-10, -14), "right"),
+    ("Nilas `nsgs`", "0.15"): (GREEN, "s", "Nilas nsgs", -1, (9, -3), "left"),
+    ("Nilas `auto`", "0.15"): (BLUE, "D", "Nilas auto", -1, (-8, -3), "right"),
+    ("Nilas `auto`", "0.3"): (PURPLE, "D", "Nilas auto, friction 0.3", -1, (6, 6), "left"),
+    ("ODE", "0.15"): (ORANGE, "^", "ODE", 0, (0, 7), "center"),
+    ("Bullet", "0.15"): (RED, "v", "Bullet", -1, (0, 8), "center"),
+    ("MuJoCo", "0.15"): (GREY, "P", "MuJoCo", -1, (0, -14), "center"),
 }
 
 
@@ -40,6 +40,8 @@ def draw():
         ax.annotate(name, (x[at], y[at]), offset, textcoords="offset points", color=colour, fontsize=SMALL, ha=side)
     ax.set_xscale("log")
     ax.set_yscale("log")
+    ax.set_ylim(2e-7, 0.1)
+    ax.xaxis.set_major_formatter("{x:g}")
     ax.set_xlabel("time of a step [ms]: median, bar to the 95th percentile")
     ax.set_ylabel("residual of exact Coulomb friction, median [m/s]")
     ax.grid(True, which="major", color="#E4E4E4", linewidth=0.6)
