@@ -120,7 +120,7 @@ std::vector<Found> last_of(const fs::path& file, double until) {
   for (StoredStep& step : last_steps(file, until)) {
     Found& one = all.emplace_back();
     one.name = fmt::format("{}-step-{}", file.stem().string(), step.step);
-    one.what = fmt::format("{} at {:.6g} s, with its warm start", file.filename().string(), step.time);
+    one.what = fmt::format("{} at {:.6g} s with its warm start", file.filename().string(), step.time);
     one.problem = std::move(step.problem);
     if (step.guess.size() > 0) one.guess = std::move(step.guess);
   }
