@@ -34,6 +34,7 @@ namespace fs = std::filesystem;
 
 constexpr double k_wanted = 1e-10, k_certified = 1e-8;  // [m/s]
 constexpr const char* k_jams = "jams";   // folder of scenes whose last steps are wanted, beside the others
+constexpr int k_most_for_w = 3000;       // contacts beyond which newton and ipm would take minutes
 constexpr int k_most_iterations = 3000;  // unlike a time limit, it gives the same files each time
 
 /// A problem that is to be written.
@@ -62,17 +63,22 @@ struct Answer {
   double law_map = k_unknown;
 };
 
-Answer best_answer(const contact::ContactProblem& problem) {
+Answer best_answer(const contact::ContactProblem& problem, const std::optional<VecX>& guess) {
   Answer best;
-  for (const char* name : {"auto", "newton", "ipm"}) {
+  const auto try_from = [&](const char* name, const VecX& start) {
     const contact::SolverEntry& entry = contact::find_solver(name);
-    if (problem.has_moments() && !entry.moments) continue;
+    if (problem.has_moments() && !entry.moments) return;
     contact::ContactSolution solution =
-        entry.make({.tolerance = k_wanted, .max_iterations = k_most_iterations})->solve(problem, VecX());
+        entry.make({.tolerance = k_wanted, .max_iterations = k_most_iterations})->solve(problem, start);
     const double map = contact::measure(problem, solution.r).law_map_m_s;
     if (best.solver.empty() || map < best.law_map) best = {std::move(solution), name, map};
-    if (best.law_map <= k_wanted) break;
-  }
+  };
+  const auto is_done = [&] { return best.law_map <= k_wanted; };
+  try_from("auto", VecX());
+  if (!is_done() && guess) try_from("auto", *guess);
+  if (problem.num_contacts() > k_most_for_w) return best;
+  for (const char* name : {"newton", "ipm"})
+    if (!is_done()) try_from(name, VecX());
   return best;
 }
 
@@ -192,7 +198,7 @@ int export_problems(const ProblemExportOptions& options) {
                      std::vector<Found> found = sources[k].make();
                      for (Found& one : found) {
                        one.problem.law = Law::coulomb;
-                       Answer answer = best_answer(one.problem);
+                       Answer answer = best_answer(one.problem, one.guess);
                        const std::lock_guard hold(writing);
                        slots[k].push_back(write_problem(options.out, one, std::move(answer)));
                        if (!options.quiet) std::cerr << exported_line(slots[k].back());

@@ -14,11 +14,12 @@ struct ProblemExportOptions {
 };
 
 /// Writes a file per problem with the law coulomb, and problems.csv. Each file has the impulses of the first of auto,
-/// newton and ipm that reaches 1e-10 m/s, else those of the best of them. problems.csv has the residual that measure()
-/// finds in each file after it is read again. A solution is certified if it is at most 1e-8 m/s. Where the
-/// folder of scenes has a folder `jams`, the last step of each scene in it and those 5 and 10 steps before are written,
-/// with the warm start that they had as the guess. The hardest step of a scene is the one with most iterations of the
-/// solver, and of these the one with most contacts. Returns the exit code 0. Throws InputError, FileError.
+/// auto from the guess, and for at most 3000 contacts newton and ipm that reaches 1e-10 m/s, else those of the best.
+/// problems.csv has the residual that measure() finds in each file after it is read again. A solution is certified if
+/// it is at most 1e-8 m/s. Where the folder of scenes has a folder `jams`, the last step of each scene in it and those
+/// 5 and 10 steps before are written, with the warm start that they had as the guess. The hardest step of a scene is
+/// the one with most iterations of the solver, and of these the one with most contacts. Returns the exit code 0. Throws
+/// InputError, FileError.
 int export_problems(const ProblemExportOptions& options);
 
 }  // namespace nilas::compare
