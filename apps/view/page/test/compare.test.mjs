@@ -35,6 +35,20 @@ const SCENE = `<scene version="1" name="ship">
   </ice>
 </scene>`;
 
+/** The same ship at a sheet that breaks, and moored in a current that drives floes at her. */
+const OTHERS = {
+  level: SCENE.replace('name="ship">', 'name="level">').replace(/<ice [^]*<\/ice>/, `<ice thickness="0.05">
+    <field kind="level" region="2.9 -1 4.5 1" fixed="true" breakable="true"/>
+  </ice>
+  <fracture flexural_strength="4e4" compressive_strength="1e5" fracture_toughness="3e3">
+    <crushing model="explicit" between_floes="true"/><bending model="nevel"/>
+  </fracture>`),
+  moored: SCENE.replace('name="ship">', 'name="moored">').replace('<water density="1005"/>', '<water density="1005"><current velocity="-0.3 0 0"/></water>')
+    .replace(/<carriage[^>]*>/, `<mooring>
+      ${[[-1, -1], [-1, 1], [1, -1], [1, 1]].map(([x, y], i) => `<spring_line name="l${i}" fairlead="${1.4 + 1.1 * x} ${0.3 * y} 0.1" anchor="${1.4 + 7 * x} ${6 * y} 0" length="6.5" stiffness="2000"/>`).join('\n')}
+    </mooring>`),
+};
+
 let folder, browser, address, json;
 before(async () => {
   if (missing) return;
@@ -160,3 +174,23 @@ check('without its script the page has everything but the plot that moves', asyn
   assert.equal(await page.$eval('.command button', (button) => button.getClientRects().length), 0);
   await page.close();
 });
+
+for (const [name, scene] of Object.entries(OTHERS)) {
+  check(`a comparison of the ${name} scene is shown, on a desk and on a phone`, async () => {
+    writeFileSync(join(folder, `${name}.xml`), scene);
+    execFileSync(program, ['compare', `${name}.xml`, '--out', name, '--solvers', 'auto,nsgs', '--dt', '0.01,0.005', '--seeds', '1', '--quiet'], { cwd: folder });
+    const found = JSON.parse(readFileSync(join(folder, name, 'compare.json'), 'utf8'));
+    for (const size of [{ width: 1280, height: 900 }, { width: 390, height: 800 }]) {
+      const { page, faults, requests } = await openPage(browser, `file://${join(folder, name, 'compare.html')}`, { waits: false, ...size });
+      const numbers = await settings(page);
+      assert.ok(numbers.length >= 2 && numbers.length <= found.settings.length, `${numbers}`);
+      assert.ok((await page.$eval('body', (body) => body.textContent)).includes(name));
+      assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= window.innerWidth + 1), `${name} is wider than ${size.width} pixels`);
+      await page.click(`#settings tr[data-setting="${numbers[0]}"] td.name`);
+      assert.equal(await page.evaluate(() => window.nilas.picked), numbers[0]);
+      assert.deepEqual(faults, []);
+      assert.deepEqual(requests, []);
+      await page.close();
+    }
+  });
+}
