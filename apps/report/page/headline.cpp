@@ -80,6 +80,25 @@ std::string cause_text(const RunFindings& found) {
                      cause.place.z());
 }
 
+/// How many steps the solver did not solve, and whether the largest load is from one of them; empty where it solved all
+/// or was asked for no tolerance.
+std::string unsolved_text(const RunFindings& found) {
+  const RunData& run = found.run;
+  if (!run.scene || !(run.scene->contact.tolerance > 0) || !run.summary.contains("shortfalls")) return "";
+  const long count = run.summary.at("shortfalls").value("unconverged_steps", 0L);
+  if (count == 0) return "";
+  bool has_peak = false;
+  if (run.steps.has("law_map_m_s"))
+    for (std::size_t k = 0; k < run.steps.rows(); ++k)
+      if (std::abs(run.steps["time_s"][k] - found.load->along.peak.raw_time) < 0.5 * run.step())
+        has_peak = run.steps["law_map_m_s"][k] > run.scene->contact.tolerance;
+  const std::string steps = fmt::format("In {} of {} steps", count, run.steps.rows());
+  return has_peak ? steps +
+                        ", that of the largest load among them, the solver ended above its tolerance. Do not use "
+                        "this peak before a run with another solver has shown it too."
+                  : steps + " the solver ended above its tolerance, but not in that of the largest load.";
+}
+
 std::vector<std::string> limits(const RunFindings& found) {
   const BodyLoad& load = *found.load;
   std::vector<std::string> text;
@@ -95,6 +114,7 @@ std::vector<std::string> limits(const RunFindings& found) {
                    sides_along(load.is_vessel()))));
   text.push_back(
       fmt::format("The window is {:.4g} s to {:.4g} s: {}.", load.window.from, load.window.to, load.window.reason));
+  if (std::string unsolved = unsolved_text(found); !unsolved.empty()) text.push_back(std::move(unsolved));
   if (!load.peak_depends.empty()) text.push_back(load.peak_depends);
   text.emplace_back(
       "The error does not cover other ice of the same kind. Run other seeds (--seed) and compare the means.");

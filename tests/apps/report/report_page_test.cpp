@@ -267,6 +267,21 @@ TEST_F(ReportPage, MarksTheFloeOfTheLargestLoad) {
   EXPECT_TRUE(std::regex_search(page, std::regex("class=\"mark-name\"[^>]*>" + name + "<")));
 }
 
+/// A load of a step that was not solved must not be read as one that was.
+TEST_F(ReportPage, SaysFirstWhereTheSolverEndedAboveItsTolerance) {
+  EXPECT_EQ(report("run").out.find("above its tolerance"), std::string::npos);
+  folder.write("ship.xml", k_ship);
+  ASSERT_EQ(run_nilas("run ship.xml --quiet --out rough --set contact/@solver=nsgs --set contact/@tolerance=1e-30 "
+                      "--set contact/@max_iterations=1 --set contact/@on_failure=record",
+                      folder.path())
+                .exit_code,
+            0);
+  const auto result = report("rough");
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const std::string told = std::regex_replace(result.out, std::regex("\\s+"), " ");
+  EXPECT_TRUE(mentions(told, "that of the largest load among them, the solver ended above its tolerance")) << told;
+}
+
 TEST_F(ReportPage, NamesCellsThatAreNoNumber) {
   EXPECT_FALSE(mentions(page_of("run"), "no finite number"));
   const std::string steps = read_text(in("run/steps.csv"));
