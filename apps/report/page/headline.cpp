@@ -95,7 +95,7 @@ std::string unsolved_text(const RunFindings& found) {
   const std::string steps = fmt::format("In {} of {} steps", count, run.steps.rows());
   return has_peak ? steps +
                         ", that of the largest load among them, the solver ended above its tolerance. Do not use "
-                        "this peak before a run with another solver has shown it too."
+                        "this peak."
                   : steps + " the solver ended above its tolerance, but not in that of the largest load.";
 }
 
