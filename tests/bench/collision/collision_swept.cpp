@@ -135,6 +135,7 @@ int main(int argc, char** argv) {
   fmt::print("{:32} {:>7} {:>7} {:>9} {:>6} {:>7} {:>7} {:>8} {:>8} {:>6} {:>11} {:>8}\n", "class", "hits", "missed",
              "worst dt", ">1e-6", "false", "adv.", "us/hit", "us/miss", "most", "FCL miss %", "us");
   bool right = true;
-  for (const auto& c : classes) right = nilas::run(c, std::max(1, pairs / static_cast<int>(classes.size()))) && right;
+  for (const auto& c : classes)
+    right = nilas::bench::run(c, std::max(1, pairs / static_cast<int>(classes.size()))) && right;
   return right ? 0 : 1;
 }
