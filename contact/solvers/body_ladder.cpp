@@ -28,9 +28,13 @@ struct Handover {
 };
 constexpr Handover k_handovers[] = {{1e-5, 100}, {1e-6, 120}};
 
-/// With more friction than this on any contact a lagged shift converges slowly or not at all, and is left out [-].
+/// With more friction than this on any contact a lagged shift converges slowly or not at all [-]. To a loose tolerance
+/// [m/s] it is worth a trial all the same, since its steps cost half. To a strict one the trial costs more than it
+/// saves.
 constexpr double k_most_lagged_friction = 0.2;
+constexpr double k_loose = 1e-5;
 constexpr InteriorSettings k_lagged{};
+constexpr InteriorSettings k_first_lagged{.slope_share = 0.7, .patience = 20, .lagged_patience = 4};
 
 /// Newton seldom finds the solution from a larger share of the residual of no impulses than this [-].
 constexpr double k_near = 0.1;
@@ -44,11 +48,14 @@ constexpr InteriorSettings k_with_slope[] = {{Shift::differentiated, 0.7, 1, 20}
                                              {Shift::differentiated, 0.3, 20, 20},
                                              {Shift::differentiated, 0.85, 100, 20}};
 
-std::vector<InteriorSettings> ways_for(const contact::ContactProblem& problem) {
+std::vector<InteriorSettings> ways_for(const contact::ContactProblem& problem, double tolerance) {
   const bool is_convex = problem.law != Law::coulomb;
   const auto is_slight = [](double mu) { return mu <= k_most_lagged_friction; };
   std::vector<InteriorSettings> ways;
-  if (is_convex || std::all_of(problem.mu.begin(), problem.mu.end(), is_slight)) ways.push_back(k_lagged);
+  if (is_convex || std::all_of(problem.mu.begin(), problem.mu.end(), is_slight))
+    ways.push_back(k_lagged);
+  else if (tolerance >= k_loose)
+    ways.push_back(k_first_lagged);
   if (!is_convex) ways.insert(ways.end(), std::begin(k_with_slope), std::end(k_with_slope));
   return ways;
 }
@@ -71,7 +78,7 @@ class BodyClimb {
   }
 
   BodyOutcome run() {
-    const std::vector<InteriorSettings> ways = ways_for(island_.problem());
+    const std::vector<InteriorSettings> ways = ways_for(island_.problem(), settings_.tolerance);
     for (std::size_t k = 0; k < ways.size(); ++k) {
       // where the shift is not lagged, impulses that are off are no better a start than none
       const bool is_lagged = ways[k].shift == Shift::lagged;

@@ -345,13 +345,18 @@ void InteriorOnBodies::move_by(const Direction& d, double t) {
   }
 }
 
+/// From now on steps take the share of the slope of the shift.
+void InteriorOnBodies::take_slope() {
+  settings_.shift = Shift::differentiated;
+  if (lu_) return;
+  lu_.emplace(bodies_, plan_);
+  g_full_.resize(count_);
+}
+
 InteriorOnBodies::Outcome InteriorOnBodies::run(const VecX& start, double tolerance, const Budget& budget,
                                                 const InteriorSettings& settings) {
   settings_ = settings;
-  if (settings.shift == Shift::differentiated && !lu_) {
-    lu_.emplace(bodies_, plan_);
-    g_full_.resize(count_);
-  }
+  if (settings.shift == Shift::differentiated) take_slope();
   begin(start);
   return go_on(tolerance, budget);
 }
@@ -371,6 +376,12 @@ InteriorOnBodies::Outcome InteriorOnBodies::go_on(double tolerance, const Budget
       best.r = impulses();
     }
     if (best.law_map_m_s < 0.5 * marked) {
+      marked = best.law_map_m_s;
+      marked_at = best.iterations;
+    }
+    if (settings_.shift == Shift::lagged && settings_.lagged_patience > 0 &&
+        best.iterations - marked_at >= settings_.lagged_patience) {
+      take_slope();
       marked = best.law_map_m_s;
       marked_at = best.iterations;
     }

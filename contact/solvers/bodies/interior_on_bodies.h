@@ -18,9 +18,10 @@
 /// numbers near the end of a cone; r_z = z - z_free - sum J^T S x, what rounding leaves, enters the next step, and
 /// residuals are those of the velocities that the impulses give.
 /// Above a friction of about 0.2 a jam needs the slope of the shift in its steps, and with it the LU factors of
-/// node_lu.h. Near 1e-7 of the speeds rounding ends progress, since a contact between two states has the root of its
-/// gap for a residual: Newton goes on from there (body_system.h), and finds its active set in few steps, because an
-/// interior point is centred among redundant contacts.
+/// node_lu.h. For a loose tolerance a run may begin without it: half of the steps of such jams never need it. Near 1e-7
+/// of the speeds rounding ends progress, since a contact between two states has the root of its gap for a residual:
+/// Newton goes on from there (body_system.h), and finds its active set in few steps, because an interior point is
+/// centred among redundant contacts.
 ///
 /// Sources: De Saxce, Feng 1998; Nesterov, Todd 1998; Mehrotra 1992; Acary, Cadoux, Lemarechal, Malick
 /// 2011. Laws: coulomb, ccp and frictionless.
@@ -41,9 +42,10 @@ enum class Shift { lagged, differentiated };
 /// The settings of a run.
 struct InteriorSettings {
   Shift shift = Shift::lagged;
-  double slope_share = 0;  ///< of the slope of the shift that enters a step, for a differentiated shift
-  double inside = 0.25;    ///< the first iterate lies inside the cones by this share of the start's residual
-  int patience = 8;        ///< iterations without the residual halving that end the run
+  double slope_share = 0;   ///< of the slope of the shift that enters a step, for a differentiated shift
+  double inside = 0.25;     ///< the first iterate lies inside the cones by this share of the start's residual
+  int patience = 8;         ///< iterations without the residual halving that end the run
+  int lagged_patience = 0;  ///< of a lagged shift, after which the run goes on with the share of the slope; 0: none
 };
 
 class InteriorOnBodies {
@@ -72,6 +74,7 @@ class InteriorOnBodies {
         : x(contacts), y(contacts), u(contacts), z(nodes), slack(limits), multiplier(limits) {}
   };
   void begin(const VecX& start);
+  void take_slope();
   void find_motion(NodeVector& z, ContactVectors& u);
   double find_map();
   void find_off();

@@ -52,6 +52,7 @@ class MeasuredLoop {
  private:
   static constexpr int k_first = 20;           ///< first_ without a horizon
   static constexpr double k_share = 1 - 1e-3;  ///< less of a fall is no progress
+  static constexpr double k_first_power = 0.85;
   static constexpr const char* k_overflow = "the impulses grew beyond all numbers";
 
   /// A small change predicts a small residual; while it is large the residual is measured now and then.
@@ -75,11 +76,13 @@ class MeasuredLoop {
   }
 
   /// Whether the tolerance lies beyond the horizon, if the residual goes on to fall with the same power of the number
-  /// of iterations as since the last measurement. Sweeps of a jam do so; in looser contact they are quicker.
+  /// of iterations as since the last measurement. Sweeps of a jam do so; in looser contact they are quicker. After the
+  /// first measurement the power is taken as one that jams hardly ever reach.
   bool is_slow(double residual) {
     const Mark now{best_.iterations(), std::log(residual / tolerance_)};
     const Mark before = std::exchange(marked_, now);
-    if (before.iteration <= 0 || before.iteration == now.iteration) return false;
+    if (before.iteration == now.iteration) return false;
+    if (before.iteration < 0) return std::log(now.iteration) + now.above / k_first_power > std::log(horizon_);
     const double power = (before.above - now.above) / std::log(now.iteration / static_cast<double>(before.iteration));
     return !(power > 0 && std::log(now.iteration) + now.above / power <= std::log(horizon_));
   }

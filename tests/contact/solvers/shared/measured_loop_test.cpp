@@ -24,16 +24,17 @@ TEST(MeasuredLoop, EndsEarlyWhereTheToleranceLiesBeyondTheHorizon) {
   const auto slow = [](int n) { return 0.5 / std::max(n, 1); };  // 500 iterations
   EXPECT_EQ(run(slow, 250).status, contact::SolveStatus::stalled);
   EXPECT_LE(run(slow, 250).iterations, 20);
-  EXPECT_EQ(run(slow, 600).status, contact::SolveStatus::converged);
+  EXPECT_LE(run(slow, 600).iterations, 10) << "the first forecast is 1000 iterations";
+  EXPECT_EQ(run(slow, 1000).status, contact::SolveStatus::converged);
   EXPECT_EQ(run(slow, 0).status, contact::SolveStatus::converged);
 }
 
 TEST(MeasuredLoop, GoesOnWhereItPromisesToSuffice) {
-  const auto quick = [](int n) { return 30 / std::pow(std::max(n, 1), 2); };  // 173 iterations
+  const auto quick = [](int n) { return 1.2 / std::pow(std::max(n, 1), 2); };  // 35 iterations
   const contact::ContactSolution found = run(quick, 250);
   EXPECT_EQ(found.status, contact::SolveStatus::converged);
-  EXPECT_GE(found.iterations, 173);
-  EXPECT_EQ(run(quick, 160).status, contact::SolveStatus::stalled);
+  EXPECT_GE(found.iterations, 35);
+  EXPECT_EQ(run(quick, 30).status, contact::SolveStatus::stalled);
 }
 
 TEST(MeasuredLoop, AResidualThatRisesIsBeyondEveryHorizon) {
