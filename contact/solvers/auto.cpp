@@ -6,7 +6,6 @@
 #include <optional>
 #include <utility>
 
-#include "contact/law/law_map.h"
 #include "contact/problem/islands.h"
 #include "contact/problem/operators.h"
 #include "contact/problem/reducible.h"
@@ -14,6 +13,7 @@
 #include "contact/solvers/admm.h"
 #include "contact/solvers/apgd.h"
 #include "contact/solvers/body_ladder.h"
+#include "contact/solvers/closing_contacts.h"
 #include "contact/solvers/continuation.h"
 #include "contact/solvers/ipm.h"
 #include "contact/solvers/newton.h"
@@ -34,12 +34,10 @@ constexpr double k_wary_weight = 1e-2;
 /// The work of the rungs, for the message.
 class Log {
  public:
-  void add(const std::string& rung, const char* unit, int iterations) {
-    const auto found = std::find_if(uses_.begin(), uses_.end(), [&](const Use& use) { return use.rung == rung; });
-    Use& use = found == uses_.end() ? uses_.emplace_back(Use{rung, unit}) : *found;
-    ++use.islands;
-    use.most = std::max(use.most, iterations);
-  }
+  /// On one island.
+  void add(const std::string& rung, const char* unit, int iterations) { ++note(rung, unit, iterations).islands; }
+  /// On all islands at once, and perhaps again on parts of them.
+  void add_sweeps(int sweeps) { note("nsgs", "sweeps", sweeps); }
 
   std::string text() const {
     std::string all;
@@ -56,6 +54,12 @@ class Log {
     int islands = 0;
     int most = 0;
   };
+  Use& note(const std::string& rung, const char* unit, int iterations) {
+    const auto found = std::find_if(uses_.begin(), uses_.end(), [&](const Use& use) { return use.rung == rung; });
+    Use& use = found == uses_.end() ? uses_.emplace_back(Use{rung, unit}) : *found;
+    use.most = std::max(use.most, iterations);
+    return use;
+  }
   std::vector<Use> uses_;
 };
 
@@ -187,30 +191,6 @@ contact::ContactSolution accepted(const contact::PreparedProblem& problem, const
   return solution;
 }
 
-/// The impulses of one island's contacts.
-VecX impulses_of(const VecX& r, const std::vector<int>& island) {
-  VecX out(contact::row_of(island.size()));
-  for (std::size_t i = 0; i < island.size(); ++i)
-    out.segment<3>(contact::row_of(i)) = r.segment<3>(contact::row_of(island[i]));
-  return out;
-}
-
-/// The islands with a contact whose law_map is above the tolerance or not a number.
-std::vector<std::vector<int>> unsolved(const contact::PreparedProblem& prepared, const VecX& r, double tolerance) {
-  const contact::ContactProblem& problem = prepared.problem();
-  const VecX v = contact::velocities(prepared, r);
-  const auto is_solved = [&](int c) {
-    const double d = prepared.inverse_mass_scales()[c];
-    const Vec3 r_c = r.segment<3>(contact::row_of(c));
-    const Vec3 u = contact::compliant_velocity(problem, c, r_c, contact::contact_velocity(problem, c, v.data()));
-    return contact::law_map(problem.law, problem.facets, contact::contact_scale(problem, c, d), r_c, u) <= tolerance;
-  };
-  auto islands = prepared.islands();
-  std::erase_if(islands,
-                [&](const std::vector<int>& island) { return std::all_of(island.begin(), island.end(), is_solved); });
-  return islands;
-}
-
 /// The islands that the bodies did not solve.
 struct LeftByBodies {
   std::vector<std::vector<int>> islands;  ///< for the next rungs
@@ -305,6 +285,59 @@ contact::ContactSolution first_rung(const contact::PreparedProblem& prepared, co
   return NsgsSolver(sweeps).solve(prepared, guess, budget.capped(cold ? settings.first_sweeps : warm));
 }
 
+/// Impulses and their residual [m/s].
+struct Guess {
+  const VecX& r;
+  double map = 0;
+};
+
+/// The ladder of the header for a problem with bodies.
+contact::ContactSolution climb_with_bodies(const contact::PreparedProblem& prepared, const Guess& guess,
+                                           const AutoSettings& settings, const Budget& budget, Log& log) {
+  const contact::ContactProblem& problem = prepared.problem();
+  const bool cold = is_cold(guess.r);
+  AutoSettings running = settings;
+  running.shared = with_margin(settings.shared);
+  contact::ContactSolution swept = first_rung(prepared, guess.r, running, budget);
+  log.add_sweeps(swept.iterations);
+  if (swept.status == contact::SolveStatus::converged || problem.has_moments()) return swept;
+  const double swept_map = contact::measure(prepared, swept.r).law_map_m_s;
+  if (guess.map < swept_map || (std::isnan(swept_map) && std::isfinite(guess.map))) swept.r = guess.r;
+  const auto climb_again = [&](const contact::PreparedProblem& part, const VecX& r) {
+    const double map = contact::measure(part, r).law_map_m_s;
+    contact::ContactSolution found = climb_with_bodies(part, {r, map}, settings, budget.after(swept.iterations), log);
+    swept.iterations += found.iterations;
+    swept.history.insert(swept.history.end(), found.history.begin(), found.history.end());
+    return found;
+  };
+  auto unsolved = solve_closing(prepared, running.shared.tolerance, climb_again, swept.r);
+  LeftByBodies unfinished =
+      solve_each_on_bodies(problem, std::move(unsolved), running, budget.after(swept.iterations), log, swept);
+  std::vector<std::vector<int>>& islands = unfinished.islands;
+  const Budget left = budget.after(swept.iterations);
+  const auto first_large = std::stable_partition(islands.begin(), islands.end(),
+                                                 [&](const auto& i) { return contact::is_reducible(problem, i); });
+  contact::SolveStatus large = contact::SolveStatus::converged;
+  for (auto island = first_large; island != islands.end(); ++island)
+    large = contact::worse(large, solve_without_w(problem, *island, running, left, log, swept));
+  islands.erase(first_large, islands.end());
+  contact::ContactSolution solution =
+      solve_islands(prepared, islands, swept.r, [&](const contact::LocalProblem& island, const VecX& start) {
+        return climb(island, start, {cold, true}, running, left, log);
+      });
+  solution.iterations += swept.iterations;
+  if (large == contact::SolveStatus::numerical_error && solution.message.empty()) solution.message = swept.message;
+  solution.status = contact::worse(solution.status, large);
+  if (unfinished.has_jam)
+    solution.status = contact::worse(
+        solution.status, left.allows(0) ? contact::SolveStatus::stalled : contact::SolveStatus::iteration_limit);
+  solution.history.insert(solution.history.begin(), swept.history.begin(), swept.history.end());
+  if (solution.status == contact::SolveStatus::converged &&
+      !(contact::measure(prepared, solution.r).law_map_m_s <= settings.shared.tolerance))
+    solution.status = contact::SolveStatus::stalled;
+  return solution;
+}
+
 /// Writes the message: first the failure, then the rungs used.
 void describe(const Log& log, contact::ContactSolution& solution) {
   const std::string failure = solution.status == contact::SolveStatus::numerical_error ? solution.message + "; " : "";
@@ -326,50 +359,13 @@ contact::ContactSolution AutoSolver::solve(const contact::LocalProblem& problem,
 }
 
 contact::ContactSolution AutoSolver::solve(const contact::PreparedProblem& prepared, const VecX& guess) const {
-  const contact::ContactProblem& problem = prepared.problem();
-  NILAS_DEMAND(guess.size() == 0 || guess.size() == contact::row_of(problem.num_contacts()));
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  const double tolerance = settings_.shared.tolerance;
-  const bool cold = is_cold(guess);
-  double guess_map = guess.size() > 0 ? contact::measure(prepared, guess).law_map_m_s : infinity;
-  if (guess_map <= tolerance) return accepted(prepared, guess);
-  if (std::isnan(guess_map)) guess_map = infinity;
-  AutoSettings running = settings_;
-  running.shared = with_margin(settings_.shared);
-  const Budget budget(settings_.shared);
+  NILAS_DEMAND(guess.size() == 0 || guess.size() == contact::row_of(prepared.problem().num_contacts()));
+  const double map =
+      guess.size() > 0 ? contact::measure(prepared, guess).law_map_m_s : std::numeric_limits<double>::infinity();
+  if (map <= settings_.shared.tolerance) return accepted(prepared, guess);
   Log log;
-  contact::ContactSolution swept = first_rung(prepared, guess, running, budget);
-  log.add("nsgs", "sweeps", swept.iterations);
-  if (swept.status == contact::SolveStatus::converged || problem.has_moments()) {
-    describe(log, swept);
-    return swept;
-  }
-  const double swept_map = contact::measure(prepared, swept.r).law_map_m_s;
-  if (guess_map < swept_map || (std::isnan(swept_map) && std::isfinite(guess_map))) swept.r = guess;
-  LeftByBodies unfinished = solve_each_on_bodies(problem, unsolved(prepared, swept.r, running.shared.tolerance),
-                                                 running, budget.after(swept.iterations), log, swept);
-  std::vector<std::vector<int>>& islands = unfinished.islands;
-  const Budget left = budget.after(swept.iterations);
-  const auto first_large = std::stable_partition(islands.begin(), islands.end(),
-                                                 [&](const auto& i) { return contact::is_reducible(problem, i); });
-  contact::SolveStatus large = contact::SolveStatus::converged;
-  for (auto island = first_large; island != islands.end(); ++island)
-    large = contact::worse(large, solve_without_w(problem, *island, running, left, log, swept));
-  islands.erase(first_large, islands.end());
   contact::ContactSolution solution =
-      solve_islands(prepared, islands, swept.r, [&](const contact::LocalProblem& island, const VecX& start) {
-        return climb(island, start, {cold, true}, running, left, log);
-      });
-  solution.iterations += swept.iterations;
-  if (large == contact::SolveStatus::numerical_error && solution.message.empty()) solution.message = swept.message;
-  solution.status = contact::worse(solution.status, large);
-  if (unfinished.has_jam)
-    solution.status = contact::worse(
-        solution.status, left.allows(0) ? contact::SolveStatus::stalled : contact::SolveStatus::iteration_limit);
-  solution.history.insert(solution.history.begin(), swept.history.begin(), swept.history.end());
-  if (solution.status == contact::SolveStatus::converged &&
-      !(contact::measure(prepared, solution.r).law_map_m_s <= tolerance))
-    solution.status = contact::SolveStatus::stalled;
+      climb_with_bodies(prepared, {guess, map}, settings_, Budget(settings_.shared), log);
   describe(log, solution);
   return solution;
 }

@@ -1,0 +1,116 @@
+#include "contact/solvers/closing_contacts.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "contact/law/law_map.h"
+#include "contact/problem/islands.h"
+#include "contact/problem/operators.h"
+#include "contact/problem/row_of.h"
+#include "core/base/union_find.h"
+
+namespace nilas::solvers {
+
+namespace {
+
+using Islands = std::vector<std::vector<int>>;
+
+/// Contacts of an island from which on it is looked at.
+constexpr std::size_t k_least_contacts = 200;
+/// Share of the island's contacts that may hang together.
+constexpr double k_most_together = 0.1;
+/// A chain of floes that hit each other one after the other needs a round for each; the whole island needs none.
+constexpr int k_most_parting_rounds = 20;
+
+/// law_map of each contact [m/s].
+std::vector<double> law_maps(const contact::PreparedProblem& whole, const VecX& r) {
+  const contact::ContactProblem& problem = whole.problem();
+  const VecX v = contact::velocities(whole, r);
+  std::vector<double> maps;
+  maps.reserve(static_cast<std::size_t>(problem.num_contacts()));
+  for (int c = 0; c < problem.num_contacts(); ++c) {
+    const double d = whole.inverse_mass_scales()[c];
+    const Vec3 r_c = r.segment<3>(contact::row_of(c));
+    const Vec3 u = contact::compliant_velocity(problem, c, r_c, contact::contact_velocity(problem, c, v.data()));
+    maps.push_back(contact::law_map(problem.law, problem.facets, contact::contact_scale(problem, c, d), r_c, u));
+  }
+  return maps;
+}
+
+Islands unsolved(Islands islands, const std::vector<double>& maps, double tolerance) {
+  const auto is_solved = [&](int c) { return maps[c] <= tolerance; };
+  std::erase_if(islands,
+                [&](const std::vector<int>& island) { return std::all_of(island.begin(), island.end(), is_solved); });
+  return islands;
+}
+
+std::size_t largest(const Islands& islands) {
+  std::size_t most = 0;
+  for (const auto& island : islands) most = std::max(most, island.size());
+  return most;
+}
+
+/// Marks the contacts that cannot be left out. Returns whether any was not marked before.
+bool mark_closing(const VecX& r, const std::vector<double>& maps, std::vector<char>& closes) {
+  bool is_new = false;
+  for (std::size_t c = 0; c < maps.size(); ++c) {
+    if (closes[c] != 0 || (maps[c] <= 0 && r.segment<3>(contact::row_of(c)).isZero(0))) continue;
+    closes[c] = 1;
+    is_new = true;
+  }
+  return is_new;
+}
+
+/// The islands that the marked contacts form.
+Islands islands_of(const contact::ContactProblem& problem, const std::vector<char>& closes) {
+  std::vector<int> closing;
+  std::vector<std::size_t> block_of;
+  UnionFind blocks(static_cast<std::size_t>(problem.num_blocks()));
+  for (int c = 0; c < problem.num_contacts(); ++c) {
+    if (closes[c] == 0) continue;
+    const auto& pair = problem.pairs[c];
+    if (pair.a >= 0 && pair.b >= 0) blocks.join(pair.a, pair.b);
+    const int any = std::max(pair.a, pair.b);
+    closing.push_back(c);
+    block_of.push_back(any >= 0 ? static_cast<std::size_t>(any) : UnionFind::k_nothing);
+  }
+  Islands islands = blocks.groups_of(block_of);
+  for (auto& island : islands)
+    for (int& c : island) c = closing[c];
+  return islands;
+}
+
+}  // namespace
+
+VecX impulses_of(const VecX& r, const std::vector<int>& contacts) {
+  VecX out(contact::row_of(contacts.size()));
+  for (std::size_t i = 0; i < contacts.size(); ++i)
+    out.segment<3>(contact::row_of(i)) = r.segment<3>(contact::row_of(contacts[i]));
+  return out;
+}
+
+Islands solve_closing(const contact::PreparedProblem& whole, double tolerance, const PartSolve& solve, VecX& r) {
+  const contact::ContactProblem& problem = whole.problem();
+  std::vector<double> maps = law_maps(whole, r);
+  Islands islands = unsolved(whole.islands(), maps, tolerance);
+  if (largest(islands) < k_least_contacts || !r.allFinite()) return islands;
+  const auto most = static_cast<std::size_t>(k_most_together * static_cast<double>(largest(islands)));
+  std::vector<char> closes(maps.size());
+  bool goes_on = true;
+  for (int round = 0; goes_on && round < k_most_parting_rounds && mark_closing(r, maps, closes); ++round) {
+    const Islands parts = unsolved(islands_of(problem, closes), maps, tolerance);
+    if (parts.empty() || largest(parts) > most) break;
+    std::vector<int> contacts;
+    for (const auto& part : parts) contacts.insert(contacts.end(), part.begin(), part.end());
+    std::sort(contacts.begin(), contacts.end());
+    const contact::ContactProblem part = contact::select(problem, contacts);
+    const contact::ContactSolution found = solve(contact::PreparedProblem(part), impulses_of(r, contacts));
+    for (std::size_t i = 0; i < contacts.size(); ++i)
+      r.segment<3>(contact::row_of(contacts[i])) = found.r.segment<3>(contact::row_of(i));
+    maps = law_maps(whole, r);
+    goes_on = found.status == contact::SolveStatus::converged;
+  }
+  return unsolved(whole.islands(), maps, tolerance);
+}
+
+}  // namespace nilas::solvers
