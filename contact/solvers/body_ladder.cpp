@@ -19,14 +19,20 @@ namespace {
 /// Newton's least proximal weight that its systems on bodies bear [-].
 constexpr double k_least_weight_on_bodies = 1e-9;
 
-/// Residuals at which the interior point hands over to Newton [m/s], and Newton's most factorisations. Below 1e-5 m/s
-/// rounding often costs the interior point more iterations than Newton needs, above it Newton has a longer search for
-/// the contacts that carry something. Where that search is long even so, the second handover brings Newton nearer.
+/// Residuals at which the interior point hands over to Newton [m/s], and Newton's most factorisations. For tight
+/// tolerances: below 1e-5 m/s rounding often costs the interior point more iterations than Newton needs, above it
+/// Newton has a longer search for the contacts that carry something. Where that search is long even so, the second
+/// handover brings Newton nearer.
 struct Handover {
   double residual;
   int factorisations;
 };
 constexpr Handover k_handovers[] = {{1e-5, 100}, {1e-6, 120}};
+
+/// Tolerances from which on the interior point with a lagged shift reaches them itself in large islands [m/s]: from
+/// 1e-5 m/s on it has some five iterations to go, where Newton's search takes 5 to 30 factorisations. With the slope of
+/// the shift it has ten, and in small islands rounding often ends it before.
+constexpr double k_least_of_interior = 5e-7;
 
 /// With more friction than this on any contact a lagged shift converges slowly or not at all [-]. To a loose tolerance
 /// [m/s] it is worth a trial all the same, since its steps cost half. To a strict one the trial costs more than it
@@ -112,9 +118,11 @@ class BodyClimb {
   /// another way is left, and the interior point where the impulses are near already and nothing failed from there.
   void approach(const VecX& start, const InteriorSettings& way, bool is_last) {
     bool is_begun = false, arrives = true;
+    const bool goes_all_the_way = way.shift == Shift::lagged && settings_.tolerance >= k_least_of_interior &&
+                                  island_.problem().num_contacts() >= k_large_on_bodies;
     for (const Handover& handover : k_handovers) {
       if (is_done() || !arrives) break;
-      const double goal = std::max(settings_.tolerance, handover.residual);
+      const double goal = goes_all_the_way ? settings_.tolerance : std::max(settings_.tolerance, handover.residual);
       VecX near = best_.r;
       if (has_failed_ || best_.law_map_m_s > goal) {
         auto found = is_begun ? interior_.go_on(goal, left()) : interior_.run(start, goal, left(), way);
