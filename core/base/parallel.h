@@ -1,9 +1,12 @@
 #pragma once
 /// Loop over independent items. Each item writes only its own result, so the bits do not depend on the thread count.
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <exception>
 #include <mutex>
+
+#include "core/base/shared_work.h"
 
 namespace nilas {
 
@@ -28,22 +31,32 @@ class LoopException {
   std::exception_ptr first_;
 };
 
-/// Rethrows an exception of an item after all others have run; of several, any one.
+/// Calls body(i) for all items; threads take blocks of them. Rethrows an exception of an item after all others have
+/// run; of several, any one.
 template <class Body>
-void parallel_for(std::ptrdiff_t count, int threads, const Body& body) {
+void parallel_blocks(std::ptrdiff_t count, std::ptrdiff_t block, int threads, const Body& body) {
   LoopException thrown;
-#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
-  for (std::ptrdiff_t i = 0; i < count; ++i) thrown.guard(body, i);
+  std::atomic<std::ptrdiff_t> next = 0;
+  const auto run = [&] {
+    for (std::ptrdiff_t i = next.fetch_add(block); i < count; i = next.fetch_add(block))
+      for (std::ptrdiff_t k = i; k < std::min(count, i + block); ++k) thrown.guard(body, k);
+  };
+  share_work(count > block ? threads : 1, run);
   thrown.rethrow();
 }
 
-/// The same for few pieces of uneven length: a thread that is done with one takes the next.
+/// For many items of about equal length.
+template <class Body>
+void parallel_for(std::ptrdiff_t count, int threads, const Body& body) {
+  constexpr std::ptrdiff_t k_blocks_per_thread = 4;  // so that a thread that is slow or late holds up few items
+  const std::ptrdiff_t blocks = threads > 1 ? k_blocks_per_thread * threads : 1;
+  parallel_blocks(count, std::max<std::ptrdiff_t>(1, count / blocks), threads, body);
+}
+
+/// For few items of uneven length.
 template <class Body>
 void parallel_pieces(std::ptrdiff_t count, int threads, const Body& body) {
-  LoopException thrown;
-#pragma omp parallel for schedule(dynamic, 1) num_threads(threads) if (threads > 1)
-  for (std::ptrdiff_t i = 0; i < count; ++i) thrown.guard(body, i);
-  thrown.rethrow();
+  parallel_blocks(count, 1, threads, body);
 }
 
 /// Items per chunk of a loop whose chunks are summed apart.

@@ -1,0 +1,95 @@
+#include "core/base/shared_work.h"
+
+#include <atomic>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace nilas {
+
+namespace {
+
+/// Looks at a number that another thread is about to change, before the thread that waits goes to sleep: about the time
+/// that it takes to wake it. More looks would keep a core from other programs.
+constexpr int k_looks = 300;
+
+void pause_processor() {
+#if defined(__x86_64__)
+  __builtin_ia32_pause();
+#endif
+}
+
+void wait_while(const std::atomic<int>& number, int value) {
+  for (int look = 0; look < k_looks; ++look) {
+    if (number.load(std::memory_order_acquire) != value) return;
+    pause_processor();
+  }
+  number.wait(value, std::memory_order_acquire);
+}
+
+/// Whether this thread does shared work.
+thread_local bool is_sharing = false;
+
+class Helpers {
+ public:
+  /// Returns false if another thread's work is under way.
+  bool share(int threads, void (*call)(const void*), const void* body) {
+    const std::unique_lock alone(in_use_, std::try_to_lock);
+    if (!alone) return false;
+    while (static_cast<int>(helpers_.size()) < threads - 1) helpers_.emplace_back([this] { help(); });
+    {
+      const std::lock_guard lock(mutex_);
+      call_ = call;
+      body_ = body;
+      places_ = threads - 1;
+      works_.fetch_add(1, std::memory_order_release);
+    }
+    works_.notify_all();
+    is_sharing = true;
+    call(body);
+    is_sharing = false;
+    {
+      const std::lock_guard lock(mutex_);
+      places_ = 0;
+    }
+    for (int busy = busy_.load(std::memory_order_acquire); busy > 0; busy = busy_.load(std::memory_order_acquire))
+      wait_while(busy_, busy);
+    return true;
+  }
+
+ private:
+  void help() {
+    is_sharing = true;
+    for (int seen = 0;; wait_while(works_, seen)) {
+      {
+        const std::lock_guard lock(mutex_);
+        seen = works_.load(std::memory_order_relaxed);
+        if (places_ == 0) continue;
+        --places_;
+        busy_.fetch_add(1, std::memory_order_relaxed);
+      }
+      call_(body_);
+      if (busy_.fetch_sub(1, std::memory_order_release) == 1) busy_.notify_one();
+    }
+  }
+
+  std::mutex in_use_;
+  std::mutex mutex_;
+  void (*call_)(const void*) = nullptr;
+  const void* body_ = nullptr;
+  int places_ = 0;             ///< helpers that may still join
+  std::atomic<int> works_{0};  ///< begun so far
+  std::atomic<int> busy_{0};   ///< helpers in the work
+  std::vector<std::thread> helpers_;
+};
+
+}  // namespace
+
+void share_work(int threads, void (*call)(const void*), const void* body) {
+  // never destroyed: the helpers sleep until the program ends
+  static Helpers& helpers = *new Helpers;
+  if (threads > 1 && !is_sharing && helpers.share(threads, call, body)) return;
+  call(body);
+}
+
+}  // namespace nilas
