@@ -13,10 +13,10 @@ namespace nilas {
 /// The first exception of a loop's items, which must not leave the thread that runs them.
 class LoopException {
  public:
-  template <class Body>
-  void guard(const Body& body, std::ptrdiff_t i) {
+  template <class Body, class Item>
+  void guard(const Body& body, const Item& item) {
     try {
-      body(i);
+      body(item);
     } catch (...) {
       const std::lock_guard lock(mutex_);
       if (!first_) first_ = std::current_exception();

@@ -51,7 +51,8 @@ struct TaskRun {
   }
 };
 
-/// Calls body(run) for the tasks of a plan; with one thread once for all of them.
+/// Calls body(run) for the tasks of a plan; with one thread once for all of them. Rethrows an exception of a task after
+/// all others have run: those that need it take it as done, since they would wait for ever otherwise.
 template <class Body>
 void run_tasks(const NodePlan& plan, TaskProgress& progress, int threads, const Body& body) {
   if (threads <= 1) {
@@ -59,13 +60,16 @@ void run_tasks(const NodePlan& plan, TaskProgress& progress, int threads, const 
     return;
   }
   progress.begin();
-  parallel_for(threads, threads, [&](std::ptrdiff_t) {
+  LoopException thrown;
+  share_work(threads, [&] {
     for (int task = progress.take(); task < plan.num_tasks(); task = progress.take()) {
       const int first = plan.task_start[task], last = plan.task_start[task + 1];
-      body(TaskRun{std::span(plan.task_columns).subspan(first, last - first), plan.task_of.data(), task, &progress});
+      thrown.guard(body, TaskRun{std::span(plan.task_columns).subspan(first, last - first), plan.task_of.data(), task,
+                                 &progress});
       progress.finish(task);
     }
   });
+  thrown.rethrow();
 }
 
 /// The same in the opposite order, for what needs the columns after each: those above the pieces by one thread first.

@@ -1,11 +1,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstring>
+#include <stdexcept>
 
 #include "contact/challenge/challenge_problems.h"
 #include "contact/solvers/bodies/body_system.h"
 #include "contact/solvers/bodies/node_cholesky.h"
+#include "contact/solvers/bodies/node_tasks.h"
 #include "contact/solvers/body_ladder.h"
 #include "tests/contact/solvers/bodies/island_with_vessel.h"
 
@@ -131,6 +134,26 @@ TEST(ThreadsOnBodies, TasksNeedOnlyThoseBeforeThem) {
       }
     }
     EXPECT_GT(plan.num_pieces, 4);
+  }
+}
+
+/// A task that ends with an exception, as where memory runs out, must not leave those that wait for it waiting.
+TEST(ThreadsOnBodies, WhatATaskThrowsReachesTheCaller) {
+  const contact::ContactProblem problem = raft();
+  const contact::PreparedProblem prepared(problem);
+  const NodePlan plan = plan_nodes(BodyIsland(prepared)).value();
+  TaskProgress progress(plan.num_tasks());
+  for (int threads = 1; threads <= k_most_threads; ++threads) {
+    std::atomic<int> columns = 0;
+    const auto run = [&](const TaskRun& task) {
+      for (const int j : task.columns)
+        for (std::size_t e = plan.earlier_start[j]; e < plan.earlier_start[j + 1]; ++e)
+          task.wait_for(plan.earlier[e].column);
+      columns += static_cast<int>(task.columns.size());
+      if (task.own == 0) throw std::runtime_error("the first task");
+    };
+    EXPECT_THROW(run_tasks(plan, progress, threads, run), std::runtime_error);
+    EXPECT_EQ(columns, plan.size()) << "the others run all the same";
   }
 }
 
