@@ -204,7 +204,7 @@ TEST(Cli, InterruptionLeavesCompleteOutputs) {
   EXPECT_EQ(summary["exit_code"], 130);
   const std::string said = read_text(folder.path() / "err.txt");
   EXPECT_TRUE(mentions(said, "warning: The run was interrupted at ")) << said;
-  EXPECT_TRUE(mentions(said, "cannot be resumed, since it wrote no checkpoints; --checkpoint-every SECONDS")) << said;
+  EXPECT_TRUE(mentions(said, "`nilas run --resume run` continues the run.")) << said;
   const std::string account = read_text(folder.path() / "out.txt");
   EXPECT_EQ(account.rfind("interrupted           at ", 0), 0u) << account;
   const Table steps(folder.path() / "run/steps.csv");

@@ -244,10 +244,11 @@ TEST_F(Resume, BeforeTheFirstCheckpointTheRunBeginsAgain) {
   expect_same_run(in("whole"), in("cut"));
 }
 
+/// Though it asked for no checkpoints.
 TEST_F(Resume, AnInterruptedRunGoesOnWhereItStopped) {
   run_whole();
   {
-    Started run("run ice.xml --quiet --checkpoint-every 100 --out cut", folder.path());
+    Started run("run ice.xml --quiet --out cut", folder.path());
     ASSERT_TRUE(run.reaches(in("cut/steps.csv"), 40));
     EXPECT_EQ(run.stop(SIGINT), 130);
   }

@@ -274,10 +274,14 @@ class Run {
       folder_.store_last(simulation.last_problem());
       return {"failed", exit_numerics, e.what()};
     }
-    if (checkpoint_steps > 0 && steps_saved_ != simulation.steps()) write_checkpoint(simulation);
+    const bool is_due = checkpoint_steps > 0 || (stop_requested() && can_be_saved());
+    if (is_due && steps_saved_ != simulation.steps()) write_checkpoint(simulation);
     if (stop_requested()) return interrupted_at(simulation.time());
     return ending;
   }
+
+  /// What the reference integrator remembers cannot be saved.
+  bool can_be_saved() const { return scene_.contact.integrator != Integrator::reference; }
 
   Ending interrupted_at(double time) const {
     const std::string when = fmt::format("at {:g} s of {:g} s", time, scene_.time.end), how = how_to_continue();
@@ -293,7 +297,9 @@ class Run {
       return "`nilas run --resume " + for_shell(folder_.path().string()) + "` continues the run" +
              (twins_ ? ", without its perturbed runs." : ".");
     }
-    return "The run cannot be resumed, since it wrote no checkpoints; --checkpoint-every SECONDS writes them.";
+    if (!can_be_saved()) return "The run cannot be resumed: the reference integrator has no checkpoints.";
+    return "The run cannot be resumed: it stopped within a step and had no checkpoint; --checkpoint-every SECONDS "
+           "writes some on the way.";
   }
 
   void say_what_was_built(const sim::RunInfo& info) {

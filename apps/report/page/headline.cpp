@@ -129,6 +129,18 @@ std::string without_load(const RunFindings& found) {
                      found.load->window.to);
 }
 
+/// Empty for a run that did not end before its time.
+std::string ending_text(const RunData& run) {
+  const std::string status = run.summary.is_object() ? run.summary.value("status", "") : "";
+  if (run.steps.rows() == 0 || (status != "interrupted" && status != "failed")) return "";
+  const std::string when = run.scene ? fmt::format("at {:.6g} s of {:.6g} s", run.times().back(), run.scene->time.end)
+                                     : fmt::format("at {:.6g} s", run.times().back());
+  if (status == "failed")
+    return "The run failed " + when + ", and all figures are those up to there. nilas.log says why.";
+  return "The run was interrupted " + when +
+         ", and all figures are those up to there. nilas run --resume with its folder continues it.";
+}
+
 std::string tow_text(const RunFindings& found) {
   const auto& tow = found.run.summary.at("tow_force");
   return fmt::format("The carriage pulled with {} on average, at {:.4g} m/s.",
@@ -139,6 +151,7 @@ std::string tow_text(const RunFindings& found) {
 
 std::vector<std::string> headline(const RunFindings& found) {
   std::vector<std::string> text;
+  if (std::string ending = ending_text(found.run); !ending.empty()) text.push_back(std::move(ending));
   if (found.load == nullptr || !found.load->touched) {
     text.push_back(without_load(found));
   } else {

@@ -282,6 +282,18 @@ TEST_F(ReportPage, SaysFirstWhereTheSolverEndedAboveItsTolerance) {
   EXPECT_TRUE(mentions(told, "that of the largest load among them, the solver ended above its tolerance")) << told;
 }
 
+TEST_F(ReportPage, SaysFirstThatTheRunWasInterruptedOrFailed) {
+  EXPECT_FALSE(mentions(page_of("run"), "The run was interrupted"));
+  Json summary = Json::parse(read_text(in("run/summary.json")));
+  for (const auto& [status, words] : {std::pair{"interrupted", "The run was interrupted at "},
+                                      std::pair{"failed", "The run failed at "}}) {
+    summary["status"] = status;
+    folder.write("run/summary.json", summary.dump());
+    EXPECT_TRUE(mentions(page_of("run"), words));
+    EXPECT_TRUE(mentions(report("run").out, words));
+  }
+}
+
 TEST_F(ReportPage, NamesCellsThatAreNoNumber) {
   EXPECT_FALSE(mentions(page_of("run"), "no finite number"));
   const std::string steps = read_text(in("run/steps.csv"));
