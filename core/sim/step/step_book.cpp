@@ -7,6 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/base/hash.h"
+#include "core/sim/account/unsolved_advice.h"
 #include "core/sim/step/structure_record.h"
 #include "core/sim/step/vessel_record.h"
 
@@ -165,10 +166,13 @@ void note_solution(World& world, const contact::ContactSolution& solution, doubl
                         (world.model.fixed_sweeps && solution.status == contact::SolveStatus::iteration_limit);
   record.solver_short = record.solver_short || !as_asked;
   if (as_asked) return;
-  world.warnings.warn("steps short of the contact tolerance",
-                      fmt::format("contact solver at {:g} s: {}, law_map_m_s {:.3g} above the tolerance {:.3g}{}",
-                                  t_end, contact::to_string(solution.status), record.residuals.law_map_m_s,
-                                  world.model.tolerance, solution.message.empty() ? "" : ", " + solution.message));
+  world.warnings.warn(
+      "steps short of the contact tolerance",
+      fmt::format("At {:g} s the contact solver left a residual of {:.2g} m/s,\n"
+                  "  and {:.2g} m/s was asked for. Do not use the loads of such a step. {}.\n"
+                  "  The solver reports: {}{}.",
+                  t_end, record.residuals.law_map_m_s, world.model.tolerance, k_unsolved_advice,
+                  contact::to_string(solution.status), solution.message.empty() ? "" : ",\n  " + solution.message));
 }
 
 void warn_of_unnamed_pairs(World& world, const std::vector<detect::ContactPoint>& points) {
