@@ -113,17 +113,18 @@ std::vector<fs::path> scenes_in(const fs::path& folder) {
   return files;
 }
 
-std::vector<Found> hardest_of(const std::string& name, const fs::path& file, double until) {
-  auto step = hardest_step(file, until);
+std::vector<Found> hardest_of(const std::string& name, const fs::path& file, double until,
+                              const std::function<bool()>& stop) {
+  auto step = hardest_step(file, until, stop);
   if (!step) return {};
   const std::string what =
       fmt::format("{} at {:.6g} s: {} iterations", file.filename().string(), step->time, step->iterations);
   return {{name, what, std::move(step->problem), {}}};
 }
 
-std::vector<Found> last_of(const fs::path& file, double until) {
+std::vector<Found> last_of(const fs::path& file, double until, const std::function<bool()>& stop) {
   std::vector<Found> all;
-  for (StoredStep& step : last_steps(file, until)) {
+  for (StoredStep& step : last_steps(file, until, stop)) {
     Found& one = all.emplace_back();
     one.name = fmt::format("{}-step-{}", file.stem().string(), step.step);
     one.what = fmt::format("{} at {:.6g} s with its warm start", file.filename().string(), step.time);
@@ -133,7 +134,7 @@ std::vector<Found> last_of(const fs::path& file, double until) {
   return all;
 }
 
-std::vector<Source> sources_of(const ProblemExportOptions& options) {
+std::vector<Source> sources_of(const ProblemExportOptions& options, const std::function<bool()>& stop) {
   std::vector<Source> all;
   if (options.generated)
     for (auto& one : challenges())
@@ -146,11 +147,11 @@ std::vector<Source> sources_of(const ProblemExportOptions& options) {
   if (files.empty()) throw InputError(options.scenes.string() + ": found no scene (*.xml)");
   for (const auto& file : files) {
     const std::string name = "scene-" + file.stem().string();
-    all.push_back({name, [name, file, until = options.until_s] { return hardest_of(name, file, until); }});
+    all.push_back({name, [=, until = options.until_s] { return hardest_of(name, file, until, stop); }});
   }
   if (!fs::is_directory(options.scenes / k_jams, error)) return all;
   for (const auto& file : scenes_in(options.scenes / k_jams))
-    all.push_back({file.stem().string(), [file, until = options.until_s] { return last_of(file, until); }});
+    all.push_back({file.stem().string(), [=, until = options.until_s] { return last_of(file, until, stop); }});
   return all;
 }
 
@@ -188,24 +189,30 @@ std::string exported_line(const Exported& one) {
 
 }  // namespace
 
-int export_problems(const ProblemExportOptions& options) {
-  const std::vector<Source> sources = sources_of(options);
+int export_problems(const ProblemExportOptions& options, const std::function<bool()>& stop) {
+  const std::vector<Source> sources = sources_of(options, stop);
   output::claim_folder(options.out, options.force);
   std::vector<std::vector<Exported>> slots(sources.size());
   std::mutex writing;
+  std::size_t done = 0;
+  const auto tell = [&](const std::string& line) {
+    if (!options.quiet) std::cerr << fmt::format("{:>3} of {}  {}", done, sources.size(), line);
+  };
   verify::run_jobs(sources.size(), options.threads,
                    [&](std::size_t k) {
                      std::vector<Found> found = sources[k].make();
-                     for (Found& one : found) {
-                       one.problem.law = Law::coulomb;
-                       Answer answer = best_answer(one.problem, one.guess);
+                     for (std::size_t i = 0; i < found.size() && !stop(); ++i) {
+                       found[i].problem.law = Law::coulomb;
+                       Answer answer = best_answer(found[i].problem, found[i].guess);
                        const std::lock_guard hold(writing);
-                       slots[k].push_back(write_problem(options.out, one, std::move(answer)));
-                       if (!options.quiet) std::cerr << exported_line(slots[k].back());
+                       slots[k].push_back(write_problem(options.out, found[i], std::move(answer)));
+                       if (i + 1 == found.size()) ++done;
+                       tell(exported_line(slots[k].back()));
                      }
-                     if (options.quiet || !found.empty()) return;
+                     if (stop() || !found.empty()) return;
                      const std::lock_guard hold(writing);
-                     std::cerr << fmt::format("{:<24}the bodies never touch\n", sources[k].name);
+                     ++done;
+                     tell(fmt::format("{:<24}the bodies never touch\n", sources[k].name));
                    },
                    {});
   std::vector<Exported> all;
@@ -216,7 +223,9 @@ int export_problems(const ProblemExportOptions& options) {
   if (!options.quiet && !options.json)
     std::cout << fmt::format("{} problems, {} with certified solutions (law_map_m_s at most {} m/s), in {}\n",
                              all.size(), certified, in_words(k_certified), options.out.string());
-  return 0;
+  if (done == sources.size()) return exit_done;
+  std::cerr << fmt::format("The program was interrupted; {} of {} sources are done.\n", done, sources.size());
+  return exit_interrupted;
 }
 
 }  // namespace nilas::compare

@@ -1,6 +1,7 @@
 #pragma once
 /// `nilas problems --export`: hard contact problems as FCLIB files with certified solutions.
 #include <filesystem>
+#include <functional>
 
 namespace nilas::compare {
 
@@ -18,8 +19,8 @@ struct ProblemExportOptions {
 /// problems.csv has the residual that measure() finds in each file after it is read again. A solution is certified if
 /// it is at most 1e-8 m/s. Where the folder of scenes has a folder `jams`, the last step of each scene in it and those
 /// 5 and 10 steps before are written, with the warm start that they had as the guess. The hardest step of a scene is
-/// the one with most iterations of the solver, and of these the one with most contacts. Returns the exit code 0. Throws
-/// InputError, FileError.
-int export_problems(const ProblemExportOptions& options);
+/// the one with most iterations of the solver, and of these the one with most contacts. Returns 0, or 130 if
+/// `stop` turned true; the folder then holds what was done. Throws InputError, FileError.
+int export_problems(const ProblemExportOptions& options, const std::function<bool()>& stop);
 
 }  // namespace nilas::compare

@@ -20,13 +20,15 @@ bool all_can_move(const contact::ContactProblem& problem) {
 
 }  // namespace
 
-std::optional<HardestStep> hardest_step(const std::filesystem::path& scene_file, double until) {
+std::optional<HardestStep> hardest_step(const std::filesystem::path& scene_file, double until,
+                                        const std::function<bool()>& stop) {
   const scene::Scene scene = scene::read_scene(scene_file);
   WarningCounts warnings(make_logger("off", ""));
   sim::Simulation simulation(scene, 1, warnings);
   std::optional<HardestStep> hardest;
   const double end = std::min(until, scene.time.end), half_step = 0.5 * scene.time.step;
   while (simulation.time() < end - half_step) {
+    if (stop()) return {};
     simulation.step();
     for (const auto& part : simulation.solved_substeps()) {
       const int contacts = part.problem.num_contacts(), iterations = part.solution.iterations;
@@ -39,7 +41,8 @@ std::optional<HardestStep> hardest_step(const std::filesystem::path& scene_file,
   return hardest;
 }
 
-std::vector<StoredStep> last_steps(const std::filesystem::path& scene_file, double until) {
+std::vector<StoredStep> last_steps(const std::filesystem::path& scene_file, double until,
+                                   const std::function<bool()>& stop) {
   const scene::Scene scene = scene::read_scene(scene_file);
   WarningCounts warnings(make_logger("off", ""));
   sim::Simulation simulation(scene, 1, warnings);
@@ -48,6 +51,7 @@ std::vector<StoredStep> last_steps(const std::filesystem::path& scene_file, doub
   constexpr int k_apart = 5, k_first = 2 * k_apart;
   std::vector<StoredStep> found;
   for (int done = 1; done <= count; ++done) {
+    if (stop()) return {};
     simulation.step();
     const contact::SolvedProblem& solved = simulation.last_problem();
     if ((count - done) % k_apart != 0 || count - done > k_first || solved.problem.num_contacts() == 0) continue;

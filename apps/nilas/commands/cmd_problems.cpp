@@ -4,6 +4,7 @@
 #include "apps/compare/problems/challenge_export.h"
 #include "apps/nilas/commands/commands.h"
 #include "apps/verify/setting.h"
+#include "core/base/stop_request.h"
 
 namespace nilas::commands {
 
@@ -19,7 +20,8 @@ int problems(ProblemsFlags flags) {
     flags.shared.scenes.clear();
   else if (flags.shared.scenes.empty())
     flags.shared.scenes = verify::verify_scenes().parent_path();
-  return compare::export_problems(flags.shared);
+  listen_for_stop();
+  return compare::export_problems(flags.shared, stop_requested);
 }
 
 }  // namespace

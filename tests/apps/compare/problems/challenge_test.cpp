@@ -1,6 +1,7 @@
 /// `nilas problems --export`: files that can be read, with solutions that hold.
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -89,6 +90,26 @@ TEST(ProblemExport, IsTheSameEachTimeAndHarmsNoFolder) {
   EXPECT_EQ(run_nilas("problems --export again --quiet --scenes scenes --threads 2", folder.path()).exit_code, 0);
   EXPECT_EQ(read_text(folder.path() / "full/mine.txt"), "mine");
   EXPECT_EQ(read_text(folder.path() / "full/problems.csv"), read_text(folder.path() / "again/problems.csv"));
+}
+
+/// Tells how far it is, and when stopped leaves the table of what it did.
+TEST(ProblemExport, IsStoppedWithItsTableSoFar) {
+  const ScratchFolder folder;
+  std::string endless = k_scene;
+  endless.replace(endless.find("0.2"), 3, "1e6");
+  folder.write("scenes/box.xml", endless);
+  const std::size_t generated = challenges().size();
+  const std::string all = std::to_string(generated + 1), last = std::to_string(generated) + " of " + all;
+  const std::string command = "cd '" + folder.path().string() +
+                              "' && { '" NILAS_PROGRAM
+                              "' problems --export out --scenes scenes --until 1e6 --threads 1 >out.txt 2>err.txt & "
+                              "p=$!; until grep -q '" +
+                              last + "' err.txt; do kill -0 $p || break; sleep 0.01; done; kill -TERM $p; wait $p; }";
+  EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 130);
+  const std::string told = read_text(folder.path() / "err.txt");
+  EXPECT_EQ(told.rfind("  1 of " + all + "  ", 0), 0u) << told;
+  EXPECT_NE(told.find("The program was interrupted; " + last + " sources are done.\n"), std::string::npos) << told;
+  EXPECT_EQ(Table(folder.path() / "out/problems.csv").rows(), generated);
 }
 
 }  // namespace challenge_test
