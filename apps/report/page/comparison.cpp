@@ -68,6 +68,36 @@ std::string scale_doubt(const Runs& runs, const std::vector<std::string>& names)
       names[least], length(least), names[most], length(most), std::pow(length(most) / length(least), 3));
 }
 
+/// The attributes in which the scenes differ; nothing where one of them cannot be read.
+std::optional<std::vector<SceneDifference>> differences_of(const Runs& runs) {
+  std::vector<std::string> scenes;
+  for (const auto& run : runs) {
+    if (!run->run.scene) return std::nullopt;
+    scenes.push_back(run->run.scene->as_run);
+  }
+  return scene_differences(scenes);
+}
+
+/// A doubt where the scenes differ in more than one attribute; empty where they do not differ.
+std::string scene_doubt(const Runs& runs) {
+  constexpr std::size_t k_named = 5;
+  const auto differences = differences_of(runs);
+  if (!differences) return "Not every scene can be read, so it is not known in what these runs differ.";
+  const std::size_t count = differences->size();
+  if (count == 0) return "";
+  if (count == 1) return fmt::format("The scenes differ in {} alone.", differences->front().path);
+  std::string names;
+  for (std::size_t k = 0; k < std::min(count, k_named); ++k)
+    names += (k == 0 ? "" : k + 1 == count ? " and " : ", ") + (*differences)[k].path;
+  if (count <= k_named)
+    return fmt::format("The scenes differ in {}. A difference of loads may come from any of these.", names);
+  return fmt::format(
+      "The scenes are unlike: they differ in {} attributes, the first of them {}. A difference of their loads has no "
+      "one "
+      "cause.",
+      count, names);
+}
+
 /// What the errors of means and differences leave out.
 std::string other_ice(const Runs& runs) {
   const bool has_load = std::any_of(runs.begin(), runs.end(), [](const auto& run) { return run->load != nullptr; });
@@ -137,15 +167,11 @@ Section runs_section(const Runs& runs, const std::vector<std::string>& names) {
 
 Section scenes_section(const Runs& runs, const std::vector<std::string>& names) {
   Section section{.id = "scenes", .title = "How the scenes differ"};
-  std::vector<std::string> scenes;
-  for (std::size_t k = 0; k < runs.size(); ++k) {
-    if (!runs[k]->run.scene) {
+  for (std::size_t k = 0; k < runs.size(); ++k)
+    if (!runs[k]->run.scene)
       section.gaps.push_back("The scene of " + names[k] + " cannot be read, so scenes are not compared.");
-      return section;
-    }
-    scenes.push_back(runs[k]->run.scene->as_run);
-  }
-  const auto differences = scene_differences(scenes);
+  if (!section.gaps.empty()) return section;
+  const std::vector<SceneDifference> differences = differences_of(runs).value();
   if (differences.empty()) {
     section.text.emplace_back("The scenes are the same but for what they store.");
     return section;
@@ -249,7 +275,7 @@ ReportPage comparison_page(const std::vector<std::unique_ptr<RunFindings>>& runs
   ReportPage page;
   for (const std::string& name : names) page.title += (page.title.empty() ? "Comparison of " : ", ") + name;
   page.headline = {first_sentence(runs, names)};
-  for (std::string text : {scale_doubt(runs, names), other_ice(runs)})
+  for (std::string text : {scale_doubt(runs, names), scene_doubt(runs), other_ice(runs)})
     if (!text.empty()) page.headline.push_back(std::move(text));
   page.sections = {runs_section(runs, names), scenes_section(runs, names), curves_section(runs, names),
                    cover_section(runs, names), all_gaps(runs, names)};

@@ -248,12 +248,26 @@ TEST_F(ReportPage, ComparesRunsAndNamesHowTheirScenesDiffer) {
   const Json said = Json::parse(result.out);
   EXPECT_EQ(said.at("file"), "both/comparison.html");
   EXPECT_TRUE(mentions(said.at("headline").at(0), "The mean of thick is"));
+  EXPECT_EQ(said.at("headline").at(1), "The scenes differ in ice/@thickness alone.");
   const std::string page = read_text(in("both/comparison.html"));
   EXPECT_TRUE(mentions(page, "ice/@thickness"));
   const Json plots = data_of(page).at("plots");
   EXPECT_EQ(plots.at(0).at("curves").size(), 2u);
   EXPECT_EQ(plots.at(0).at("curves").at(1).at("name"), "thick");
   EXPECT_FALSE(fs::exists(in("run/report.html")));
+}
+
+/// A mean is not compared with that of another scene as if one cause made the difference.
+TEST_F(ReportPage, RunsOfUnlikeScenesAreDoubted) {
+  ASSERT_EQ(
+      run_nilas("run run/scene.xml --quiet --out two --set ice/@thickness=0.08 --seed 9", folder.path()).exit_code, 0);
+  const std::string two = Json::parse(report("run two --json --out both").out).at("headline").dump();
+  EXPECT_TRUE(mentions(two, "A difference of loads may come from any of these.")) << two;
+  EXPECT_TRUE(mentions(two, "ice/@thickness")) << two;
+  folder.write("piers.xml", k_pier);
+  ASSERT_EQ(run_nilas("run piers.xml --quiet --out piers", folder.path()).exit_code, 0);
+  const std::string unlike = Json::parse(report("run piers --json --out other").out).at("headline").dump();
+  EXPECT_TRUE(mentions(unlike, "The scenes are unlike: they differ in ")) << unlike;
 }
 
 /// The floe that the first sentences name is marked on the plan and on the unrolled hull.
@@ -287,8 +301,8 @@ TEST_F(ReportPage, SaysFirstWhereTheSolverEndedAboveItsTolerance) {
 TEST_F(ReportPage, SaysFirstThatTheRunWasInterruptedOrFailed) {
   EXPECT_FALSE(mentions(page_of("run"), "The run was interrupted"));
   Json summary = Json::parse(read_text(in("run/summary.json")));
-  for (const auto& [status, words] : {std::pair{"interrupted", "The run was interrupted at "},
-                                      std::pair{"failed", "The run failed at "}}) {
+  for (const auto& [status, words] :
+       {std::pair{"interrupted", "The run was interrupted at "}, std::pair{"failed", "The run failed at "}}) {
     summary["status"] = status;
     folder.write("run/summary.json", summary.dump());
     EXPECT_TRUE(mentions(page_of("run"), words));
