@@ -194,6 +194,23 @@ check('between two frames bodies are half way', async () => {
   await page.close();
 });
 
+check('the legend and the card of what is picked never lie on each other', async () => {
+  const { page, faults } = await open(write('corner', replay.bytes), { width: 900, height: 460 });
+  await page.evaluate(() => window.nilas.seek(2).then(() => window.nilas.pick(12)));
+  for (const [width, height, graphs] of [[900, 460, false], [760, 520, true], [1280, 800, true], [375, 720, false]]) {
+    await page.setViewport({ width, height });
+    await page.evaluate((shown) => window.nilas.set('graphs', shown), graphs);
+    const [card, legend] = await page.evaluate(() => ['card', 'legend'].map((id) => {
+      const box = document.getElementById(id).getBoundingClientRect();
+      return { top: box.top, bottom: box.bottom, height: box.height };
+    }));
+    const where = `${width} x ${height}: ${JSON.stringify([card, legend])}`;
+    assert.ok(card.height >= 50 && (legend.height === 0 || card.bottom <= legend.top), where);
+  }
+  assert.deepEqual(faults, []);
+  await page.close();
+});
+
 check('on a phone nothing lies over the picture until it is asked for', async () => {
   const { page, faults } = await open(write('phone', replay.bytes), { width: 375, height: 720, isMobile: true });
   const layout = () => page.evaluate(() => ({
