@@ -73,11 +73,9 @@ std::string across_text(const RunFindings& found) {
 std::string cause_text(const RunFindings& found) {
   const PeakCause& cause = *found.cause;
   if (!found.body->is_vessel)
-    return fmt::format("{}. It acted at x = {:.4g} m, y = {:.4g} m.", who_text(found), cause.place.x(),
-                       cause.place.y());
-  return fmt::format("{}. It acted {} (x = {:.4g} m, y = {:.4g} m, z = {:.4g} m in the frame of the hull).",
-                     who_text(found), place_on_vessel(cause.place, found.body->mesh), cause.place.x(), cause.place.y(),
-                     cause.place.z());
+    return fmt::format("{}. It acted at {}.", who_text(found), horizontal_place_text(cause.place));
+  return fmt::format("{}. It acted {} ({} in the frame of the hull).", who_text(found),
+                     place_on_vessel(cause.place, found.body->mesh), place_text(cause.place));
 }
 
 /// How many steps the solver did not solve, and whether the largest load is from one of them; empty where it solved all

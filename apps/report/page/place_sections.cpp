@@ -148,11 +148,9 @@ Section place_section(const RunFindings& found, const std::optional<HullPicture>
       picture->load.width, picture->load.impulse,
       picture->is_vessel ? "the bow, with the port side to the right" : "the place that faces the drift"));
   if (found.cause)
-    section.text.push_back(
-        fmt::format("The ring marks where {} {} made the largest load of one step, at x = {:.4g} m, y = {:.4g} m, z = "
-                    "{:.4g} m.",
-                    found.floe_made_peak ? "floe" : "body", found.cause->floe, found.cause->place.x(),
-                    found.cause->place.y(), found.cause->place.z()));
+    section.text.push_back(fmt::format("The ring marks where {} {} made the largest load of one step, at {}.",
+                                       found.floe_made_peak ? "floe" : "body", found.cause->floe,
+                                       place_text(found.cause->place)));
   return section;
 }
 

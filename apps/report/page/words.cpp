@@ -7,6 +7,23 @@
 
 namespace nilas::report {
 
+namespace {
+
+std::string coordinates_text(const Vec3& place, int count) {
+  constexpr double k_digits = 1e-4, k_finest = 1e-6;  // [-], [m]
+  const double largest = place.head(count).cwiseAbs().maxCoeff();
+  const double unit = std::max(k_finest, std::pow(10, std::ceil(std::log10(std::max(largest, k_finest) * k_digits))));
+  std::string text;
+  for (int k = 0; k < count; ++k)
+    text += fmt::format("{}{} = {:.6g} m", k == 0 ? "" : ", ", "xyz"[k], std::round(place[k] / unit) * unit + 0.0);
+  return text;
+}
+
+}  // namespace
+
+std::string place_text(const Vec3& place) { return coordinates_text(place, 3); }
+std::string horizontal_place_text(const Vec3& place) { return coordinates_text(place, 2); }
+
 std::string error_force(double newton, double beside) {
   const output::ForceUnit unit = output::force_unit(std::max(std::abs(newton), std::abs(beside)));
   const double value = newton / unit.size;

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "core/base/math.h"
 #include "core/output/loads/ice_load_text.h"
 
 namespace nilas::report {
@@ -19,5 +20,10 @@ output::LoadSides sides_along(bool is_vessel);
 std::string time_text(double t, double step);
 /// A number with up to four significant digits.
 std::string number_text(double value);
+
+/// A place as "x = 12.34 m, y = 0 m, z = -1.5 m", or its horizontal part. Coordinates have the digits that four
+/// significant ones of the largest leave, and a micrometre at most: smaller ones are rounding and become 0.
+std::string place_text(const Vec3& place);
+std::string horizontal_place_text(const Vec3& place);
 
 }  // namespace nilas::report
