@@ -102,7 +102,8 @@ PgsSweep pgs_sweep(Law law, bool track) {
 
 void apply_impulse(const PgsContact& contact, PgsRows& rows) {
   const Sides<k_any, k_any> sides(contact, rows.coefficients.data(), rows.velocities.data());
-  if (contact.r[0] == 0) return;
+  // a moment that rolls without spinning has no first coordinate
+  if (contact.r[0] == 0 && contact.r[1] == 0 && contact.r[2] == 0) return;
   if (rows.law == Law::frictionless)
     sides.apply_normal(contact.r[0]);
   else

@@ -174,6 +174,35 @@ TEST(RollingFriction, AHeapIsSolvedToTheYardstick) {
   }
 }
 
+/// A guess holds the impulses of moments behind those of the points. Its own solution is done at once, that of a
+/// problem nearby saves sweeps, and a guess whose moments are wrong costs sweeps but leads to the same motion.
+TEST(RollingFriction, AHeapIsSolvedFromGuesses) {
+  const ContactProblem problem = heap_with_moments();
+  const auto solver = find_solver("auto").make({.tolerance = 1e-10, .max_iterations = 100000});
+  const ContactSolution cold = solver->solve(problem, {});
+  ASSERT_EQ(cold.status, SolveStatus::converged);
+  const VecX moments = cold.r.tail(cold.r.size() - 3 * 24);
+  ASSERT_GT(moments.norm(), 0);
+  const ContactSolution again = solver->solve(problem, cold.r);
+  EXPECT_EQ(again.status, SolveStatus::converged);
+  EXPECT_EQ(again.iterations, 0);
+  EXPECT_EQ(again.r, cold.r);
+  for (const double factor : {0.0, -1.0, 1e6}) {
+    VecX guess = cold.r;
+    guess.tail(moments.size()) *= factor;
+    const ContactSolution found = solver->solve(problem, guess);
+    EXPECT_EQ(found.status, SolveStatus::converged) << factor << ": " << found.message;
+    EXPECT_GT(found.iterations, 0) << factor;
+    EXPECT_LT((found.v - cold.v).cwiseAbs().maxCoeff(), 1e-8) << factor;
+  }
+  ContactProblem near = problem;
+  near.f *= 1.001;
+  const ContactSolution warm = solver->solve(near, cold.r);
+  EXPECT_EQ(warm.status, SolveStatus::converged);
+  EXPECT_LT(warm.iterations, solver->solve(near, {}).iterations);
+  EXPECT_THROW(solver->solve(problem, VecX(cold.r.head(3 * 24))), ContractError);
+}
+
 TEST(RollingFriction, GoesThroughAFileAndBack) {
   const test::ScratchFolder folder;
   const ContactProblem problem = heap_with_moments();
