@@ -100,6 +100,32 @@ TEST(BodyLadder, SolvesHeapsWithMuchFrictionToRounding) {
     }
 }
 
+/// Convex laws have one way only, from the guess, and nothing after it: it must suffice with masses that differ by six
+/// decades, limits and compliance, from nothing and from guesses that are far too large or of the wrong sign.
+TEST(BodyLadder, SolvesHardConvexIslands) {
+  for (const Law law : {Law::ccp, Law::frictionless})
+    for (const bool yields : {false, true})
+      for (contact::ContactProblem problem :
+           {test::box_stack(test::growing_masses(8, 1e6), 0.8), test::raft(12, 0.8, 0.9, 3),
+            test::largest_island(test::heap_with_vessel(4, 30, 90, 1.4))}) {
+        problem = test::largest_island(problem);
+        problem.law = law;
+        if (yields) make_yielding(problem);
+        const contact::PreparedProblem prepared(problem);
+        const contact::SolverSettings settings{.tolerance = 1e-8};
+        const VecX one = VecX::Constant(3 * problem.num_contacts(), 1);
+        for (const double size : {0.0, 1e6, -1.0}) {
+          const auto found = solve_on_bodies(prepared, size * one, settings, Budget(settings));
+          ASSERT_TRUE(found.has_value());
+          EXPECT_TRUE(found->has_converged)
+              << static_cast<int>(law) << (yields ? " with limits, " : ", ") << problem.num_contacts()
+              << " contacts, guess " << size << ": " << found->law_map_m_s << " m/s after " << found->interior
+              << " and " << found->newton;
+          EXPECT_LE(contact::measure(problem, found->r).law_map_m_s, 1.001e-8);
+        }
+      }
+}
+
 TEST(BodyLadder, KeepsToItsBudget) {
   const contact::ContactProblem problem = test::largest_island(test::heap_with_vessel(2, 9, 20, 0.5));
   contact::SolverSettings settings{.tolerance = 1e-14};
@@ -126,6 +152,9 @@ TEST(BodyLadder, LeavesWhatItDoesNotKnowToOthers) {
   expect_refused([](auto& problem) { problem.mass_data[0] = -1; });
   expect_refused([](auto& problem) { problem.tangential_compliance[0] = 0.1; });
   expect_refused([](auto& problem) { problem.add_contact(-1, MatX(3, 0), -1, MatX(3, 0), 9999); });
+  expect_refused([](auto& problem) {
+    problem.add_moment(0, 0.1 * MatX(problem.jacobian_a(0)), 0.1 * MatX(problem.jacobian_b(0)), 0.1, 9999);
+  });
   expect_refused([](auto& problem) { problem = {}; });
 }
 
