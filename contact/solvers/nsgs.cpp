@@ -1,9 +1,11 @@
 #include "contact/solvers/nsgs.h"
 
 #include <array>
+#include <optional>
 
 #include "contact/problem/row_of.h"
 #include "contact/solvers/shared/nsgs_sweep.h"
+#include "contact/solvers/shared/sweep_momentum.h"
 
 namespace nilas::solvers {
 
@@ -11,18 +13,24 @@ namespace {
 
 class NsgsBodies : public RowSweeps {
  public:
-  explicit NsgsBodies(const RowIsland& whole)
+  NsgsBodies(const RowIsland& whole, bool has_momentum)
       : RowSweeps(whole),
         facets_(whole.problem.facets),
         threads_(whole.threads),
-        blocks_(make_nsgs_contacts(rows_, island_)) {}
+        blocks_(make_nsgs_contacts(rows_, island_)) {
+    if (has_momentum) momentum_.emplace(whole);
+  }
 
-  double sweep(bool backward) { return nsgs_sweep(rows_, island_, blocks_, facets_, backward, threads_); }
+  double sweep(bool backward) {
+    if (momentum_) momentum_->push();
+    return nsgs_sweep(rows_, island_, blocks_, facets_, backward, threads_);
+  }
 
  private:
   int facets_;
   int threads_;
   std::vector<NsgsContact> blocks_;
+  std::optional<SweepMomentum> momentum_;
 };
 
 class NsgsLocal : public LocalSweeps {
@@ -76,7 +84,7 @@ contact::ContactSolution NsgsSolver::solve(const contact::PreparedProblem& probl
   if (problem.problem().has_moments())
     demand_known("nsgs with rolling friction", std::array{Law::coulomb, Law::pyramid}, problem.problem().law);
   return solve_row_islands(problem, guess, settings_.shared, RowOrder::coloured, [&](const RowIsland& island) {
-    NsgsBodies sweeps(island);
+    NsgsBodies sweeps(island, settings_.has_momentum);
     contact::ContactSolution part =
         sweep_to_tolerance(sweeps, island.island.last - island.island.first, settings_, budget);
     sweeps.set_impulses(part.r);

@@ -28,7 +28,7 @@ std::shared_ptr<spdlog::logger> make_logger(const std::string& level, const std:
 }
 
 void WarningCounts::warn(const std::string& kind, const std::string& message) {
-  if (++counts_[kind] == 1) logger_->warn("{}", layout_ ? layout_(message) : message);
+  if (++counts_[kind] == 1) logger_->warn("{}", message);
 }
 
 void WarningCounts::summarise() const {

@@ -2,7 +2,6 @@
 /// Logging: one logger per program run, handed to whoever speaks. Repeated warnings are counted and shown once.
 #include <spdlog/logger.h>
 
-#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -22,11 +21,7 @@ std::shared_ptr<spdlog::logger> make_logger(const std::string& level, const std:
 /// Warnings by kind: the first of a kind is logged, all are counted.
 class WarningCounts {
  public:
-  /// Lays out a message, such as in lines of a terminal's width.
-  using Layout = std::function<std::string(const std::string&)>;
-
-  explicit WarningCounts(std::shared_ptr<spdlog::logger> logger, Layout layout = {})
-      : logger_(std::move(logger)), layout_(std::move(layout)) {}
+  explicit WarningCounts(std::shared_ptr<spdlog::logger> logger) : logger_(std::move(logger)) {}
   void warn(const std::string& kind, const std::string& message);
   /// Logs how often each kind occurred beyond the first.
   void summarise() const;
@@ -38,7 +33,6 @@ class WarningCounts {
 
  private:
   std::shared_ptr<spdlog::logger> logger_;
-  Layout layout_;
   std::map<std::string, long> counts_;
 };
 

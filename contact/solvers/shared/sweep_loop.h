@@ -12,7 +12,8 @@ struct SweepSettings {
   contact::SolverSettings shared;
   bool symmetric_sweeps = false;  ///< every second sweep runs backwards
   int stall_sweeps = 500;  ///< window of the stall rule (best_impulses.h), at least one sweep per contact; share 0.999
-  int horizon = 0;         ///< sweeps end where they promise to take more than these (measured_loop.h); 0: they go on
+  bool has_momentum = false;  ///< sweeps of a problem with bodies by nsgs begin with momentum (sweep_momentum.h)
+  int horizon = 0;  ///< sweeps end where they promise to take more than these (measured_loop.h); 0: they go on
 };
 
 /// An island of a problem with bodies, its impulses in the rows.

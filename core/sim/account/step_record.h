@@ -17,11 +17,6 @@
 
 namespace nilas::sim {
 
-/// What to do about steps that the contact solver did not solve.
-constexpr const char* k_advice_where_unsolved =
-    "Ice that is jammed between bodies may lock, and then no solver helps: let it crush (<fracture><crushing>) or make "
-    "its contacts elastic (<friction elastic=\"true\">). Elsewhere more iterations may help (contact/@max_iterations)";
-
 /// Phases of a step, in the order in which they run.
 enum class Phase { hydro, detection, assembly, solver, integration, fracture, output };
 constexpr int k_num_phases = 7;

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "contact/registry.h"
 #include "tests/contact/solvers/contraction.h"
 #include "tests/support/problems/problem_changes.h"
 #include "tests/support/problems/problem_factory.h"
@@ -182,6 +183,56 @@ TEST(Nsgs, RefusesWhatIsNotFinite) {
   contact::ContactProblem problem = test::random_heap(3, 4, 5, 0.4);
   problem.f[2] = std::nan("");
   EXPECT_EQ(solve(problem).status, contact::SolveStatus::numerical_error);
+}
+
+contact::ContactSolution with_momentum(const contact::ContactProblem& problem, double tolerance, int threads = 1) {
+  const contact::SolverSettings shared{.tolerance = tolerance, .max_iterations = 20000, .threads = threads};
+  return NsgsSolver({.shared = shared, .has_momentum = true}).solve(problem, {});
+}
+
+/// Where plain sweeps contract slowly, as in columns, stacks and closed rafts, momentum takes less than two thirds of
+/// them and meets the law. Laws: a cone, a convex one, and rows.
+TEST(Nsgs, MomentumTakesFewerSweeps) {
+  for (const Law law : {Law::coulomb, Law::ccp, Law::pyramid})
+    for (contact::ContactProblem problem :
+         {test::column(std::vector<double>(20, 3.0), k_step, k_gravity),
+          test::box_stack(std::vector<double>(8, 2.0), 0.5), test::raft(6, 0.3, 1, 1), test::raft(6, 0.6, 1, 2)}) {
+      problem.law = law;
+      constexpr double k_tolerance = 1e-3;
+      const contact::ContactSolution plain = solve(problem, k_tolerance), fast = with_momentum(problem, k_tolerance);
+      EXPECT_EQ(fast.status, contact::SolveStatus::converged) << problem.num_contacts();
+      EXPECT_LE(contact::measure(problem, fast.r).law_map_m_s, k_tolerance);
+      EXPECT_LT(3 * fast.iterations, 2 * plain.iterations) << static_cast<int>(law) << " " << problem.num_contacts();
+    }
+}
+
+/// Heaps in which a contact can have several answers, with guesses from far outside of the cones.
+TEST(Nsgs, MomentumLeadsToTheLaw) {
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    const contact::ContactProblem problem = test::random_heap(seed, 8, 16, 0.3);
+    const contact::ContactSolution s = with_momentum(problem, 1e-10);
+    EXPECT_EQ(s.status, contact::SolveStatus::converged) << seed;
+    EXPECT_LE(contact::measure(problem, s.r).law_map_m_s, 1e-10) << seed;
+    EXPECT_LT((s.v - solve(problem).v).cwiseAbs().maxCoeff(), 1e-8) << seed;
+  }
+}
+
+TEST(Nsgs, MomentumKeepsItsBitsWithThreads) {
+  const contact::ContactProblem problem = test::raft(20, 0.3, 1, 1);  // 1520 contacts: a large island
+  const contact::ContactSolution one = with_momentum(problem, 1e-4);
+  for (const int threads : {2, 3}) EXPECT_EQ(with_momentum(problem, 1e-4, threads).r, one.r) << threads;
+}
+
+/// Asked for a number of sweeps instead of a tolerance, the solver makes plain ones.
+TEST(Nsgs, HasMomentumByItsNameWhereThereIsATolerance) {
+  const contact::ContactProblem problem = test::raft(6, 0.6, 1, 4);
+  const auto named = [&](double tolerance, int most) {
+    return contact::find_solver(SolverName::nsgs)
+        .make({.tolerance = tolerance, .max_iterations = most})
+        ->solve(problem, {});
+  };
+  EXPECT_EQ(named(0, 7).r, solve(problem, 0, 7).r);
+  EXPECT_EQ(named(1e-6, 20000).r, with_momentum(problem, 1e-6).r);
 }
 
 }  // namespace nsgs_test

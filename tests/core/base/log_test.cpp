@@ -27,16 +27,6 @@ TEST(WarningCounts, TheFirstOfAKindIsShownAllAreCounted) {
   EXPECT_EQ(shown.str(), "iterations: 2 times in all\n");
 }
 
-TEST(WarningCounts, LaysMessagesOutAsAsked) {
-  std::ostringstream shown;
-  auto sink = std::make_shared<spdlog::sinks::ostream_sink_mt>(shown);
-  sink->set_pattern("%v");
-  WarningCounts warnings(std::make_shared<spdlog::logger>("test", sink),
-                         [](const std::string& text) { return "[" + text + "]"; });
-  warnings.warn("overlap", "floes overlap");
-  EXPECT_EQ(shown.str(), "[floes overlap]\n");
-}
-
 TEST(MakeLogger, WritesDetailsToTheFileAtAnyConsoleLevel) {
   const test::ScratchFolder folder;
   const auto file = folder / "run.log";
