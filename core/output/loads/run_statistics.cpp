@@ -67,6 +67,7 @@ void RunStatistics::add(const sim::StepRecord& record, const std::vector<double>
   const double processor_s = processor_seconds();
   costs_.add(record, 1 / k_milli * (processor_s - processor_s_));
   processor_s_ = processor_s;
+  step_loads_.add(record);
   if (!load_series_.empty()) add_vessel(record, vessel_values);
   add_structures(record);
 }
@@ -116,6 +117,7 @@ void RunStatistics::save(StateWriter out) const {
   out.add("worst_time", times);
   for (std::size_t c = 0; c < load_series_.size(); ++c) out.group("loads").add(load_names_[c], load_series_[c]);
   if (!load_series_.empty()) load_residuals_.save(out.group("load_residuals"));
+  step_loads_.save(out.group("step_loads"));
   out.add("tow", tow_);
   out.add("water", water_);
   out.add("others", others_);
@@ -157,6 +159,7 @@ void RunStatistics::restore(const StateReader& in) {
     in.group("loads").get(load_names_[c], load_series_[c], static_cast<std::size_t>(steps_));
   const auto steps = static_cast<std::size_t>(steps_);
   if (!load_series_.empty()) load_residuals_.restore(in.group("load_residuals"), steps);
+  step_loads_.restore(in.group("step_loads"));
   const std::size_t towed = !load_series_.empty() && info_.has_carriage ? steps : 0;
   in.get("tow", tow_, towed);
   in.get("water", water_, towed);
@@ -267,6 +270,11 @@ std::optional<IceLoad> RunStatistics::ice_load(const TwinStatistics* twins) cons
     force.speed = load_statistics(load.window.of(speed_)).mean;
   }
   return load;
+}
+
+StepLoadError RunStatistics::step_load_error() const {
+  if (info_.has_vessel) return step_loads_.error(info_, window());
+  return step_loads_.error(info_, {t_start_, t_end_, 0, static_cast<std::size_t>(steps_), ""});
 }
 
 std::vector<StructureLoad> RunStatistics::structure_loads() const {

@@ -9,6 +9,7 @@
 #include "core/output/loads/ice_load.h"
 #include "core/output/loads/load_error.h"
 #include "core/output/loads/reaction_balance.h"
+#include "core/output/loads/step_load.h"
 #include "core/output/tables/vessel_channels.h"
 #include "core/output/text/slowdown.h"
 #include "core/sim/account/step_record.h"
@@ -66,6 +67,8 @@ class RunStatistics {
   std::optional<LoadError> load_error(const TwinStatistics* twins) const;
   /// Ice load over the window; empty without a vessel. `twins`: as above.
   std::optional<IceLoad> ice_load(const TwinStatistics* twins) const;
+  /// Error of the ice load of one step: with a vessel over its window, else over the run.
+  StepLoadError step_load_error() const;
   /// Loads on the structures, each over its own window.
   std::vector<StructureLoad> structure_loads() const;
   /// Mean of the carriage's force along the course over a window [N]; empty without a moving carriage.
@@ -90,6 +93,7 @@ class RunStatistics {
   std::vector<std::string> load_names_;
   std::vector<std::vector<double>> load_series_;
   LoadResiduals load_residuals_;
+  StepLoads step_loads_;
   std::vector<double> tow_, water_, others_,
       speed_;  ///< loads and speed along the course, for a vessel on a carriage [N, m/s]
   std::vector<std::vector<double>> module_resistance_;  ///< the same, one series per entry of RunInfo::vessel_loads [N]

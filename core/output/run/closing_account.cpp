@@ -134,6 +134,7 @@ std::string closing_account(const RunStatistics& statistics, const RunEnding& en
   text += reaction_lines(statistics.reactions());
   if (ice_load) text += ice_load_lines(*ice_load, statistics.load_error(twins).value());
   for (const StructureLoad& structure : told_structures(statistics)) text += structure_lines(structure);
+  text += step_load_lines(statistics.step_load_error());
   for (const auto& [module, figures] : ending.figures)
     for (const bodies::RunFigure& figure : figures)
       if (!figure.label.empty()) text += account_line(figure.label, figure.text);

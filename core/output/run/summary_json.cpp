@@ -6,6 +6,7 @@
 #include "core/output/loads/ice_load_json.h"
 #include "core/output/loads/load_error_json.h"
 #include "core/output/loads/load_statistics.h"
+#include "core/output/loads/step_load.h"
 
 namespace nilas::output {
 
@@ -143,6 +144,7 @@ Json summary_json(const sim::RunInfo& info, const RunStatistics& statistics, con
     for (const bodies::RunFigure& figure : figures) summary["figures"][module][figure.name] = figure.value;
   if (!info.structures.empty()) summary["structures"] = structures_json(statistics.structure_loads());
   if (const auto error = statistics.load_error(twins)) summary["load_error"] = load_error_json(*error, twins);
+  if (info.check_every > 0) summary["step_load_error"] = step_load_json(statistics.step_load_error());
   if (twins != nullptr) summary["twins"] = twins_json(*twins);
   summary["warnings"] = warnings_json(info);
   if (const std::string slower = statistics.slowdown(); !slower.empty()) summary["slowdown"] = slower;

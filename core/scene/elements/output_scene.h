@@ -20,6 +20,8 @@ struct OutputScene {
   std::optional<std::array<double, 2>> statistics;  ///< from, to [s]; default: end of the ramp and first ice, end
   std::optional<double> peak_filter;  ///< averaging time of filtered peaks [s]; default: follows from the length
 
+  std::optional<int> load_checks;  ///< steps whose load is checked by a second solution; default: see build_load_checks
+
   bool operator==(const OutputScene&) const = default;
 };
 

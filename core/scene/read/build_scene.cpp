@@ -197,6 +197,7 @@ static OutputScene build_output(const SceneElement& element) {
   assign(output.checkpoint_every, element, "checkpoint_every");
   assign(output.bodies, element, "bodies");
   assign(output.peak_filter, element, "peak_filter");
+  assign(output.load_checks, element, "load_checks");
   if (const auto window = numbers_of(element, "statistics")) output.statistics = {window->at(0), window->at(1)};
   return output;
 }

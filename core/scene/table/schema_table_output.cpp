@@ -43,6 +43,12 @@ static std::vector<AttributeSpec> statistics() {
            .range = above(0),
            .default_note = "0.2 s for a hull of 100 m, times the root of length / 100 m for others",
            .doc = "Peaks are also given of the load averaged over this time. They hardly depend on the time step."},
+          {.name = "load_checks",
+           .type = ValueType::integer,
+           .range = within(0, 1e9),
+           .default_note = "50, and at most one step of 100, where a rigid contact has friction; else 0",
+           .doc = "The contacts of about so many steps are solved a second time, to a strict tolerance. The run then "
+                  "states how far the ice load of one step is off. The motion does not change."},
           {.name = "bodies",
            .type = ValueType::boolean,
            .default_note = "true up to 200 bodies",

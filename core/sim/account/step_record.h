@@ -69,6 +69,13 @@ struct StructureRecord {
   Vec3 ice = Vec3::Zero();  ///< the contact force that floes exert [N]
 };
 
+/// The ice load of a step, beside that of a second solution of the same contact problems to a strict tolerance, with
+/// exact friction cones for pyramids: the force of floes on the vessel, or without one on each structure, frame G [N].
+struct LoadCheck {
+  std::vector<Vec3> load, strict;
+  bool is_strict = true;  ///< true if the second solution reached its tolerance
+};
+
 /// A change at a contact at one instant; integrator "reference" only. The first contact of a pair of bodies may stand
 /// for several at once.
 enum class ContactEventKind { impact, rest, release, stick, slip };
@@ -100,6 +107,7 @@ struct StepRecord {
   std::uint64_t state_hash = 0;
   std::optional<VesselRecord> vessel;
   std::vector<StructureRecord> structures;  ///< same order as RunInfo::structures
+  std::optional<LoadCheck> load_check;      ///< in steps whose load is checked and in which ice touches
   std::vector<double> module_values;        ///< same order as RunInfo::module_columns
   std::vector<ContactEvent> events;         ///< sorted by time
   std::vector<fracture::FractureEvent> broken;
@@ -148,6 +156,8 @@ struct RunInfo {
   std::vector<bodies::DrawnSea> seas;               ///< the waves, for viewers
   std::vector<std::string> rods;                    ///< names of the rods that hold the vessel
   std::optional<std::array<double, 2>> statistics;  ///< the scene's window for statistics: from, to [s]
+  long check_every = 0;                             ///< one of so many steps has its load checked; 0: none
+  double check_tolerance = 0;                       ///< tolerance of the second solution there [m/s]
   std::optional<double> peak_filter;                ///< the scene's peak filter [s]
 };
 

@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "core/base/hash.h"
 #include "core/sim/account/unsolved_advice.h"
+#include "core/sim/step/load_check.h"
 #include "core/sim/step/structure_record.h"
 #include "core/sim/step/vessel_record.h"
 
@@ -72,6 +73,11 @@ void StepBook::add(const Substep& substep, const Loads& loads, SolvedContacts so
   record_.contacts = std::max(record_.contacts, solved.contacts.problem.num_points());
   record_.islands = std::max(record_.islands, solved.num_islands);
   warn_of_unnamed_pairs(world_, motion.points);
+  if (world_.load_checks.is_due(world_.steps + 1)) {
+    watch_.lap(Phase::integration);
+    check_load(world_, solved, motion, record_.load_check);
+    watch_.lap(Phase::output);
+  }
   world_.slipping = std::move(solved.slipping);
   const std::vector<Mat3> frames = std::move(solved.contacts.C);
   keep(solved, motion);

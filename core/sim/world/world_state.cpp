@@ -20,8 +20,13 @@ World::World(const scene::Scene& scene, int thread_count, WarningCounts& warning
       gyroscopic(scene.contact.gyroscopic),
       ice_modulus(scene.ice ? scene.ice->youngs_modulus : 0),
       model(build_contact_model(scene.contact, thread_count, std::sqrt(scene.scale))),
+      load_checks(build_load_checks(scene, parts, thread_count)),
       detector(thread_count, scene.contact.narrow_phase),
       energy(parts.info.work_names, 0, 0) {
+  if (load_checks.solver) {
+    parts.info.check_every = load_checks.every;
+    parts.info.check_tolerance = load_checks.tolerance;
+  }
   if (parts.friction.any_elastic()) elastic.emplace();
   follow_bodies({});
   energy = EnergyAccount(parts.info.work_names, kinetic_energy(parts.bodies), potential());

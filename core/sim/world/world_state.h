@@ -12,6 +12,7 @@
 #include "contact/warm_start.h"
 #include "core/sim/account/ledger.h"
 #include "core/sim/world/contact_model.h"
+#include "core/sim/world/load_checks.h"
 #include "core/sim/world/world.h"
 
 namespace nilas::sim {
@@ -47,6 +48,7 @@ struct World {
   bool gyroscopic;
   double ice_modulus;  ///< Young's modulus [Pa]
   ContactModel model;
+  LoadChecks load_checks;
 
   // State.
   long steps = 0;
