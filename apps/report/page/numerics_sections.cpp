@@ -9,6 +9,7 @@
 #include "apps/report/figures/thin.h"
 #include "apps/report/page/words.h"
 #include "core/base/statistics.h"
+#include "core/output/loads/step_load.h"
 #include "core/sim/account/step_record.h"
 
 namespace nilas::report {
@@ -196,6 +197,8 @@ Section solver_section(const RunFindings& found) {
         count == 0 ? "Every step was solved to the tolerance of the scene."
                    : fmt::format("In {} of {} steps the solver ended above its tolerance.", count, steps.rows()));
   }
+  if (std::string text = output::step_load_text(output::step_load_error_of(found.run.summary)); !text.empty())
+    section.text.push_back(std::move(text));
   if (steps.has("status")) section.tables.push_back(status_table(steps));
   if (found.run.summary.contains("worst")) section.tables.push_back(worst_table(found.run.summary.at("worst")));
   return section;

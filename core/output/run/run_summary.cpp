@@ -32,6 +32,8 @@ void visit_figures(Summary& s, const Visit& visit) {
   visit("/real_time_factor", s.real_time_factor);
   visit("/ice/floes_end", s.floes_end);
   visit("/shortfalls/unconverged_steps", s.unconverged_steps);
+  visit("/step_load_error/error_median_1", s.step_load_median);
+  visit("/step_load_error/error_p95_1", s.step_load_p95);
   visit("/worst/penetration_max_m/value", s.penetration_max_m);
   visit("/worst/imbalance_J/relative_to_energy_put_in", s.imbalance_relative);
   visit("/worst/momentum_imbalance_relative/value", s.momentum_imbalance_relative);

@@ -44,6 +44,7 @@ struct RunSummary {
   double penetration_max_m = k_none;                  ///< worst of all steps, like the four below
   double imbalance_relative = k_none;                 ///< energy error over the energy put in
   double momentum_imbalance_relative = k_none;
+  double step_load_median = k_none, step_load_p95 = k_none;  ///< errors of the ice load of one step, as shares of it
   contact::Residuals residuals = no_residuals();
   std::array<double, sim::k_num_phases> phase_ms =
       no_phases();                 ///< mean over the steps, 0 for a phase without work [ms]

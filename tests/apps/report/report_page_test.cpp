@@ -310,6 +310,22 @@ TEST_F(ReportPage, SaysFirstThatTheRunWasInterruptedOrFailed) {
   }
 }
 
+/// Nor must one whose load is wrong at a small residual.
+TEST_F(ReportPage, SaysWhereSingleStepsAreNotToBeUsed) {
+  Json summary = Json::parse(read_text(in("run/summary.json")));
+  const auto told_with = [&](double p95) {
+    summary["step_load_error"] = {{"every_steps", 100},  {"tolerance_m_s", 1e-8}, {"checked_steps", 9},
+                                  {"unsolved_steps", 0}, {"mean_N", 50},          {"error_median_1", 0.01},
+                                  {"error_p95_1", p95}};
+    folder.write("run/summary.json", summary.dump());
+    return std::regex_replace(report("run").out, std::regex("\\s+"), " ");
+  };
+  EXPECT_FALSE(mentions(told_with(0.02), "Do not use single steps"));
+  EXPECT_TRUE(mentions(page_of("run"), "off by 1 % in the median and by 2 % in the 95th percentile"));
+  const std::string told = told_with(0.6);
+  EXPECT_TRUE(mentions(told, "by 60 % in the 95th percentile, of 50 N on average. Do not use single steps")) << told;
+}
+
 TEST_F(ReportPage, NamesCellsThatAreNoNumber) {
   EXPECT_FALSE(mentions(page_of("run"), "no finite number"));
   const std::string steps = read_text(in("run/steps.csv"));

@@ -86,8 +86,9 @@ struct Merit {
   Estimate load_std, load_max, load_p99;      ///< standard deviation, largest and 99 % load of it [N]
   Estimate motion, turn;                      ///< largest rms distance [m] and turn [rad] from the judging run
   double penetration_max_m = 0, penetration_mean_m = 0, law_map_m_s = 0, natural_map_m_s = 0;
-  double energy_error = 0, momentum_error = 0;  ///< relative, the worst of all steps and runs
-  double unconverged_share = 0;                 ///< share of steps that missed the tolerance
+  double step_load_median = 0, step_load_p95 = 0;  ///< errors of the ice load of one step, the largest of all runs
+  double energy_error = 0, momentum_error = 0;     ///< relative, the worst of all steps and runs
+  double unconverged_share = 0;                    ///< share of steps that missed the tolerance
   double time = 0, time_spread = 0;  ///< processor time per simulated second, and the spread of such a time [s/s]
   double ms_per_step = 0;
   double error = 0, floor = 0;  ///< error and floor in the measure's unit; an error below the floor may be chance

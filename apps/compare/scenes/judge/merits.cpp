@@ -64,6 +64,8 @@ void read_accuracy(const SettingRuns& runs, Merit& m) {
   m.penetration_mean_m = runs.worst([&](const RunRow& row) { return row.result.penetration_mean_m; });
   m.law_map_m_s = runs.worst([&](const RunRow& row) { return summary(row).residuals.law_map_m_s; });
   m.natural_map_m_s = runs.worst([&](const RunRow& row) { return summary(row).residuals.natural_map_m_s; });
+  m.step_load_median = runs.worst([&](const RunRow& row) { return summary(row).step_load_median; });
+  m.step_load_p95 = runs.worst([&](const RunRow& row) { return summary(row).step_load_p95; });
   m.energy_error = runs.worst([&](const RunRow& row) { return summary(row).imbalance_relative; });
   m.momentum_error = runs.worst([&](const RunRow& row) { return summary(row).momentum_imbalance_relative; });
   m.unconverged_share =

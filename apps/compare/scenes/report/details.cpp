@@ -3,6 +3,7 @@
 
 #include "apps/compare/scenes/report/answer.h"
 #include "apps/compare/scenes/report/paired_text.h"
+#include "core/output/loads/step_load.h"
 
 namespace nilas::compare {
 
@@ -10,6 +11,16 @@ namespace {
 
 /// The ice over which means are taken.
 std::string such_ice(const Findings& found) { return found.same_ice ? "this ice" : "ice of this kind"; }
+
+/// Warns of single steps of a setting whose load is far off, whatever its mean is.
+void say_step_loads(const Merit& m, const std::string& name, std::vector<std::string>& lines) {
+  if (!(m.step_load_p95 > output::StepLoadError::k_trusted)) return;
+  lines.push_back(
+      fmt::format("Do not use single steps and raw peaks of {}: by a second, strict solution the load of one step is "
+                  "off by {} in the median and by {} in the 95th percentile. Its residual of {:.1e} m/s does not show "
+                  "this.",
+                  name, percent_text(m.step_load_median), percent_text(m.step_load_p95), m.law_map_m_s));
+}
 
 /// States the accuracy of the peaks, because ships are designed for the peaks of a load, and what to use instead.
 void say_peaks(const SceneReport& report, std::vector<std::string>& lines) {
@@ -23,6 +34,7 @@ void say_peaks(const SceneReport& report, std::vector<std::string>& lines) {
   lines.emplace_back(
       "The recommendation holds for the mean load, not for peaks. The largest load here is the mean over a single time "
       "step. A rigid impact is over within one step, so that a shorter step gives a larger load.");
+  say_step_loads(m, name, lines);
   lines.push_back(
       fmt::format("With {}, over {}, the standard deviation of the load differs by {} from the reference's, the 99 % "
                   "load by {}, and the largest load by {}.",

@@ -102,6 +102,13 @@ std::string error_text(const Merit& m, const Findings& found) {
   return number_text(m.error) + (share ? fmt::format(" ({:.2g} %)", 100 * m.error / measure.scale) : "");
 }
 
+/// Median and 95th percentile in percent; empty where no step was checked.
+std::string step_load_cell(const Merit& m) {
+  return std::isfinite(m.step_load_p95)
+             ? fmt::format("{:.2g} / {:.2g}", 100 * m.step_load_median, 100 * m.step_load_p95)
+             : "";
+}
+
 Json setting_row(const SceneReport& report, const Merit& m) {
   const Findings& found = report.found;
   const bool fails = m.failed > 0 || m.done == 0;
@@ -121,6 +128,7 @@ Json setting_row(const SceneReport& report, const Merit& m) {
           {"penetration", number_text(m.penetration_max_m)},
           {"energy", number_text(m.energy_error, "{:.1e}")},
           {"residual", number_text(m.law_map_m_s, "{:.1e}")},
+          {"step_load", step_load_cell(m)},
           {"unconverged", number_text(100 * m.unconverged_share, "{:.2g}")},
           {"remark", remark_of(m, found.choice)}};
 }

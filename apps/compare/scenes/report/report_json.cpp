@@ -71,6 +71,8 @@ Json setting_json(const SceneReport& report, const Merit& m) {
           {"motion_rms_m", json_of(m.motion)},
           {"turn_rad", json_of(m.turn)},
           {"penetration_max_m", number_or_null(m.penetration_max_m)},
+          {"step_load_error_median_1", number_or_null(m.step_load_median)},
+          {"step_load_error_p95_1", number_or_null(m.step_load_p95)},
           {"imbalance_relative", number_or_null(m.energy_error)}};
 }
 

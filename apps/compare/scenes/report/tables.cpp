@@ -120,6 +120,8 @@ void add_error_columns(RunColumns& columns) {
 void add_summary_columns(const std::vector<std::string>& channels, RunColumns& columns) {
   add(columns, "unconverged_steps", [](const RunRow& r) { return r.result.summary.unconverged_steps; });
   add(columns, "steps", [](const RunRow& r) { return r.result.summary.steps; });
+  add(columns, "step_load_error_median_1", [](const RunRow& r) { return r.result.summary.step_load_median; });
+  add(columns, "step_load_error_p95_1", [](const RunRow& r) { return r.result.summary.step_load_p95; });
   add(columns, "floes_end", [](const RunRow& r) { return r.result.summary.floes_end; });
   for (const auto& residual : contact::residual_columns())
     add(columns, residual.name,
@@ -182,6 +184,8 @@ void add_accuracy_columns(MeritColumns& columns) {
   add(columns, "penetration_mean_m", [](const Merit& m) { return m.penetration_mean_m; });
   add(columns, "law_map_m_s", [](const Merit& m) { return m.law_map_m_s; });
   add(columns, "natural_map_m_s", [](const Merit& m) { return m.natural_map_m_s; });
+  add(columns, "step_load_error_median_1", [](const Merit& m) { return m.step_load_median; });
+  add(columns, "step_load_error_p95_1", [](const Merit& m) { return m.step_load_p95; });
   add(columns, "imbalance_relative", [](const Merit& m) { return m.energy_error; });
   add(columns, "momentum_imbalance_relative", [](const Merit& m) { return m.momentum_error; });
   add(columns, "unconverged_share", [](const Merit& m) { return m.unconverged_share; });

@@ -120,6 +120,25 @@ TEST(Answer, SaysWhyPeaksMustNotBeTakenAndWhatToDoInstead) {
                    "With \"newton\", over 2 to 6 s, the standard deviation of the load differs by +10 % from the "
                    "reference's, the 99 % load by +0 %, and the largest load by -50 %."));
   EXPECT_TRUE(says(lines, "run \"newton\" with nilas run for several seeds and quote the filtered peak"));
+  EXPECT_FALSE(says(lines, "Do not use single steps"));
+}
+
+/// A small residual may stand beside a wrong load of a step.
+TEST(Answer, WarnsOfSingleStepsWhoseLoadIsFarOff) {
+  SceneReport report = report_of_two(0.5);
+  report.found.choice.chosen = 1;
+  report.found.reference.std.mean = 10;
+  report.found.reference.p99.mean = 150;
+  Merit& best = report.found.merits[1];
+  best.law_map_m_s = 1e-3;
+  best.step_load_median = 0.3;
+  best.step_load_p95 = 0.05;
+  EXPECT_FALSE(says(detail_lines(report), "Do not use single steps"));
+  best.step_load_p95 = 0.6;
+  EXPECT_TRUE(says(detail_lines(report),
+                   "Do not use single steps and raw peaks of \"newton\": by a second, strict solution the load of one "
+                   "step is off by 30 % in the median and by 60 % in the 95th percentile. Its residual of 1.0e-03 m/s "
+                   "does not show this."));
 }
 
 TEST(Answer, SaysHowOftenEstimatedErrorsHeld) {

@@ -32,6 +32,8 @@ std::string page_where_reference_changes_by(double moves) {
   }
   Merit& second = found.merits[1];
   second.error = 3;
+  second.step_load_median = 0.004;
+  second.step_load_p95 = 0.25;
   second.significant = true;
   second.from_reference = second.from_own = {{0, 1}, {3, 3}, {0.2, 0.2}, 3, 0.1, 2, Certainty::everywhere};
   const test::ScratchFolder folder;
@@ -48,6 +50,11 @@ TEST(Page, PrintsInGreyWhatTheReferenceCannotShow) {
                        "With its step doubled the reference changes by 5 N. It cannot show errors below that, "
                        "which the tables mark as less than the reference&#39;s own change."))
       << page;
+}
+
+TEST(Page, SaysBesideTheResidualHowFarTheLoadOfAStepIsOff) {
+  const std::string page = page_where_reference_changes_by(2);
+  EXPECT_TRUE(mentions(page, "<td class=\"n\">0.0e+00</td><td class=\"n\">0.4 / 25</td>")) << page;
 }
 
 TEST(Page, PrintsInBlackWhatTheReferenceShows) {
