@@ -282,6 +282,17 @@ LAYOUTS = {
         ("residual, median [m/s]", "{residual_m_s:.1e}"),
         ("steps of 100 short of the tolerance", "{missed_steps}"),
     ],
+    "jam-loads": [
+        ("solver", "{engine}"),
+        ("sweeps or tolerance [m/s]", "{setting}"),
+        ("friction", "{friction}"),
+        ("step, median [ms]", "{median_ms:.0f}"),
+        ("residual, median [m/s]", "{residual_m_s:.1e}"),
+        ("load of one step off by, median [%]", "{error_median_percent:.2g}"),
+        ("95th percentile [%]", "{error_p95_percent:.3g}"),
+        ("steps checked", "{checked_steps}"),
+        ("not solved again", "{unsolved_steps}"),
+    ],
     "towing-tolerance": [
         ("setting", "{setting}"),
         ("solver in the median step [ms]", "{median_ms}"),

@@ -3,6 +3,9 @@
 ///        bench_packed run FOLDER FLOES SWEEPS [TOLERANCE [FRICTION [SOLVER]]]
 ///            sweeps of pgs on pyramids; 0: SOLVER (auto) on the exact cone to TOLERANCE (1e-6 m/s), with FRICTION
 ///            (0.15) everywhere; cold: the same from zero impulses in every step
+///        bench_packed load FOLDER FLOES SWEEPS [TOLERANCE [FRICTION [SOLVER]]]
+///            the same runs, whose steps are all solved a second time to 1e-8 m/s: how far the hull load of a step is
+///            off
 #include <malloc.h>
 
 #include <cmath>
@@ -12,6 +15,7 @@
 #include <string>
 
 #include "core/field/field.h"
+#include "core/output/loads/step_load.h"
 #include "core/scene/read/read_scene.h"
 #include "core/sim/simulation.h"
 #include "tests/bench/peers/floe_scene.h"
@@ -116,11 +120,16 @@ int write(int floes, const fs::path& folder) {
 
 struct Asked {
   std::string floes, sweeps, tolerance = "1e-6", friction = "0.15", solver = "auto";
+
+  bool cold() const { return sweeps == "cold"; }
+  bool exact() const { return cold() || sweeps == "0"; }
 };
 
-int run(const fs::path& folder, const Asked& asked) {
-  const bool cold = asked.sweeps == "cold", exact = cold || asked.sweeps == "0";
+/// The scene as asked for, in which so many steps are solved a second time.
+scene::Scene scene_for(const fs::path& folder, const Asked& asked, int load_checks) {
+  const bool cold = asked.cold(), exact = asked.exact();
   scene::Overrides changes{{"contact/@max_iterations", exact ? "1000" : asked.sweeps},
+                           {"output/@load_checks", std::to_string(load_checks)},
                            {"contact/friction/@static", asked.friction},
                            {"contact/friction/@kinetic", asked.friction}};
   if (exact)
@@ -128,7 +137,19 @@ int run(const fs::path& folder, const Asked& asked) {
         changes.end(),
         {{"contact/@solver", asked.solver}, {"contact/@law", "coulomb"}, {"contact/@tolerance", asked.tolerance}});
   if (cold) changes.emplace_back("contact/@warm_start", "false");
-  const scene::Scene scene = scene::read_scene(folder / ("packed-" + asked.floes + ".xml"), changes);
+  return scene::read_scene(folder / ("packed-" + asked.floes + ".xml"), changes);
+}
+
+std::string engine_of(const Asked& asked) {
+  std::string engine = asked.cold() ? "nilas-cold" : asked.exact() ? "nilas-" + asked.solver : "nilas";
+  if (asked.exact() && asked.tolerance != Asked{}.tolerance) engine += "-" + asked.tolerance;
+  if (asked.friction != Asked{}.friction) engine += "-friction-" + asked.friction;
+  return engine;
+}
+
+int run(const fs::path& folder, const Asked& asked) {
+  const bool exact = asked.exact();
+  const scene::Scene scene = scene_for(folder, asked, 0);
   WarningCounts warnings(make_logger("off", ""));
   sim::Simulation simulation(scene, 1, warnings);
   std::vector<peers::Parts> window;
@@ -150,12 +171,25 @@ int run(const fs::path& folder, const Asked& asked) {
     if (exact && !(record.residuals.law_map_m_s <= std::stod(asked.tolerance))) ++missed;
     penetration = std::max(penetration, record.penetration_max);
   }
-  std::string engine = cold ? "nilas-cold" : exact ? "nilas-" + asked.solver : "nilas";
-  if (exact && asked.tolerance != Asked{}.tolerance) engine += "-" + asked.tolerance;
-  if (asked.friction != Asked{}.friction) engine += "-friction-" + asked.friction;
-  peers::print_row(engine.c_str(), static_cast<std::size_t>(simulation.info().floes),
+  peers::print_row(engine_of(asked).c_str(), static_cast<std::size_t>(simulation.info().floes),
                    exact ? 0 : std::stoi(asked.sweeps), window, contacts / static_cast<double>(window.size()),
                    penetration / k_thickness, natural_maps, missed);
+  return 0;
+}
+
+/// Prints engine, floes, sweeps, steps checked, steps whose second solution did not succeed, mean load [N], and the
+/// median and 95th percentile of the error over that.
+int load(const fs::path& folder, const Asked& asked) {
+  const scene::Scene scene = scene_for(folder, asked, peers::k_last_measured);
+  WarningCounts warnings(make_logger("off", ""));
+  sim::Simulation simulation(scene, 1, warnings);
+  output::StepLoads loads;
+  for (int n = 0; n < peers::k_last_measured; ++n) loads.add(simulation.step());
+  const output::StepLoadError error =
+      loads.error(simulation.info(), {0, 0, peers::k_first_measured, peers::k_last_measured, ""});
+  std::printf("%s,%d,%d,%ld,%ld,%.4g,%.4g,%.4g\n", engine_of(asked).c_str(), simulation.info().floes,
+              asked.exact() ? 0 : std::stoi(asked.sweeps), error.checked, error.unsolved, error.mean, error.median,
+              error.p95);
   return 0;
 }
 
@@ -167,14 +201,15 @@ int main(int argc, char** argv) {
   mallopt(M_MMAP_THRESHOLD, k_keep_bytes);
   const std::string mode = argc > 1 ? argv[1] : "";
   if (mode == "write" && argc == 4) return write(std::stoi(argv[2]), argv[3]);
-  if (mode == "run" && argc >= 5 && argc <= 8) {
+  if ((mode == "run" || mode == "load") && argc >= 5 && argc <= 8) {
     Asked asked{argv[3], argv[4]};
     if (argc > 5) asked.tolerance = argv[5];
     if (argc > 6) asked.friction = argv[6];
     if (argc > 7) asked.solver = argv[7];
-    return run(argv[2], asked);
+    return mode == "run" ? run(argv[2], asked) : load(argv[2], asked);
   }
-  std::fprintf(stderr,
-               "usage: bench_packed write FLOES FOLDER | run FOLDER FLOES SWEEPS [TOLERANCE [FRICTION [SOLVER]]]\n");
+  std::fprintf(
+      stderr,
+      "usage: bench_packed write FLOES FOLDER | run|load FOLDER FLOES SWEEPS [TOLERANCE [FRICTION [SOLVER]]]\n");
   return 2;
 }

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Times one step of the packed scene on Nilas, Bullet and ODE in turn and prints the table with ratios and growth exponents.
-# `front` sets the residual of every engine and solver beside its cost on the jam, at two frictions.
+# `front` sets the residual of every engine and solver beside its cost on the jam, at two frictions; `loads` says how far the load
+# of one step is off there.
 # `solvers` times every contact solver and Siconos' on stored problems and draws what it finds.
 # `collision TABLE` shows what contact search gets right, what it costs and how it grows; without TABLE all of them.
 # `presawn` runs the pre-sawn scenes to their ends on two hull meshes, with twins.
@@ -9,7 +10,7 @@
 # `hull` prepares five hulls from users' files, stage by stage, and fails where one takes too long or is worse than recorded.
 # `replay` measures the replay of towing runs: its size, what it costs the run, and how fast its page is.
 # `cut` makes random cuts of floes, ordinary and adversarial, and shows what each kind keeps and costs.
-# usage: tests/bench/run.sh [packed|exact|front|solvers|scaling|threads|collision|field|presawn|symmetry|level-ice|load-coverage|hull|cut|replay|kernels|help]      (through ./dev bench)
+# usage: tests/bench/run.sh [packed|exact|front|loads|solvers|scaling|threads|collision|field|presawn|symmetry|level-ice|load-coverage|hull|cut|replay|kernels|help]      (through ./dev bench)
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 bin=build/bench
@@ -77,6 +78,21 @@ front() {
   cat "$rows"
 }
 
+# How far the hull load of one step is off on the jam of 966 floes, by a second solution of each step.
+loads() {
+  local rows=$bin/packed/loads.csv sweeps solver tolerance
+  [ -f "$bin/packed/packed-1000.txt" ] || "$bin/bench_packed" write 1000 "$bin/packed"
+  echo "engine,floes,sweeps,checked_steps,unsolved_steps,mean_N,error_median_1,error_p95_1" >"$rows"
+  for sweeps in 10 50 200; do "$bin/bench_packed" load "$bin/packed" 1000 "$sweeps" >>"$rows"; done
+  for solver in nsgs auto; do
+    for tolerance in 1e-2 1e-3 1e-4; do
+      "$bin/bench_packed" load "$bin/packed" 1000 0 $tolerance 0.15 $solver >>"$rows"
+    done
+  done
+  for tolerance in 1e-3 1e-4; do "$bin/bench_packed" load "$bin/packed" 1000 0 $tolerance 0.3 >>"$rows"; done
+  cat "$rows"
+}
+
 # Problems: those of NILAS_FCLIB_DIR where that is set, and the worst steps of runs made here.
 solvers() {
   local out=$bin/solvers rows=$bin/solvers/rows.csv scene files=()
@@ -115,6 +131,7 @@ case "${1:-packed}" in
   collision) collision "${2:-all}" ;;
   exact) exact ;;
   front) front ;;
+  loads) loads ;;
   solvers) solvers ;;
   packed) packed ;;
   scaling) "$bin/bench_scaling" "${LIMIT:-60}" "${TOLERANCE:-1e-6}" ${SIZES:-100 1000 10000 100000} ;;
@@ -131,7 +148,7 @@ case "${1:-packed}" in
   replay) shift; tests/bench/replay/measure.sh "$bin/bench_replay_cost" "$bin/apps/view_page" "$bin/replay" "$@" ;;
   cut) "$bin/bench_cut_study" "${CUTS:-100000}" ;;
   kernels) shift; "$bin/bench_kernels" "$@" ;;
-  *) echo "usage: ./dev bench [packed|exact|front|solvers|scaling|threads|collision [TABLE]|field|presawn|symmetry|level-ice [TABLE]|load-coverage|hull [SHAPE ...]|cut|replay [SIZE ...]|kernels]
+  *) echo "usage: ./dev bench [packed|exact|front|loads|solvers|scaling|threads|collision [TABLE]|field|presawn|symmetry|level-ice [TABLE]|load-coverage|hull [SHAPE ...]|cut|replay [SIZE ...]|kernels]
 collision: classes (against the oracle, BATCHES=100 of 1000 pairs in each class, CLASS=name for one), peers (beside FCL and
 Bullet, PAIRS=1000 of each class), steps (a field that moves, SIZES, STEPS=100), threads, swept (missed and false first
 contacts of PAIRS=100000 random pairs on their way), plates (PAIRS=100000 thin plates that fly at others, alone and in crowds),
