@@ -54,6 +54,10 @@ constexpr InteriorSettings k_with_slope[] = {{Shift::differentiated, 0.7, 1, 20}
                                              {Shift::differentiated, 0.3, 20, 20},
                                              {Shift::differentiated, 0.85, 100, 20}};
 
+/// The way after those. With mass ratios and force limits over many decades the slope may leave steps too short,
+/// whatever its share. A held shift takes two to four times the iterations of a share that leads there.
+constexpr InteriorSettings k_held{Shift::held, 0, 1, 12};
+
 std::vector<InteriorSettings> ways_for(const contact::ContactProblem& problem, double tolerance) {
   const bool is_convex = problem.law != Law::coulomb;
   const auto is_slight = [](double mu) { return mu <= k_most_lagged_friction; };
@@ -62,7 +66,9 @@ std::vector<InteriorSettings> ways_for(const contact::ContactProblem& problem, d
     ways.push_back(k_lagged);
   else if (tolerance >= k_loose)
     ways.push_back(k_first_lagged);
-  if (!is_convex) ways.insert(ways.end(), std::begin(k_with_slope), std::end(k_with_slope));
+  if (is_convex) return ways;
+  ways.insert(ways.end(), std::begin(k_with_slope), std::end(k_with_slope));
+  ways.push_back(k_held);
   return ways;
 }
 
@@ -88,7 +94,8 @@ class BodyClimb {
     for (std::size_t k = 0; k < ways.size(); ++k) {
       // where the shift is not lagged, impulses that are off are no better a start than none
       const bool is_lagged = ways[k].shift == Shift::lagged;
-      approach(is_lagged ? start_ : VecX(VecX::Zero(start_.size())), ways[k], k + 1 == ways.size());
+      const bool is_last = k + 1 == ways.size() || ways[k + 1].shift == Shift::held;
+      approach(is_lagged ? start_ : VecX(VecX::Zero(start_.size())), ways[k], is_last);
     }
     best_.has_converged = best_.law_map_m_s <= settings_.tolerance;
     return std::move(best_);
@@ -115,7 +122,8 @@ class BodyClimb {
 
   /// The interior point from a start, and Newton from where it ends; the second time from nearer, where the interior
   /// point got as far as it was asked to. Newton is left out where the interior point ended far from the solution and
-  /// another way is left, and the interior point where the impulses are near already and nothing failed from there.
+  /// another way of its kind is left, and the interior point where the impulses are near already and nothing failed
+  /// from there.
   void approach(const VecX& start, const InteriorSettings& way, bool is_last) {
     bool is_begun = false, arrives = true;
     const bool goes_all_the_way = way.shift == Shift::lagged && settings_.tolerance >= k_least_of_interior &&

@@ -7,6 +7,7 @@
 #include "contact/law/cone.h"
 #include "contact/law/law_map.h"
 #include "contact/problem/row_of.h"
+#include "core/base/error.h"
 
 namespace nilas::solvers {
 
@@ -121,7 +122,8 @@ void InteriorOnBodies::find_motion(NodeVector& z, ContactVectors& u) {
   });
 }
 
-/// The largest residual of the law with the velocities that the impulses of x give, and r_z.
+/// The largest residual of the law, with a held shift of its convex law, for the velocities that the impulses of x
+/// give, and r_z.
 double InteriorOnBodies::find_map() {
   find_motion(r_z_, other_);
   for (std::size_t k = 0; k < z_.size(); ++k)
@@ -132,7 +134,9 @@ double InteriorOnBodies::find_map() {
     for (std::size_t c = range.first; c < range.last; ++c) {
       const Vec3 x = x_.at(c), r(slope_n_[c] * x[0], slope_t_[c] * x[1], slope_t_[c] * x[2]);
       const contact::ContactScale scale{friction_[c], problem_.force_limit[c], island_.inverse_mass_scales()[c]};
-      worst = graver(worst, contact::law_map(problem_.law, problem_.facets, scale, r, other_.at(c)));
+      Vec3 u = other_.at(c);
+      if (!held_.empty()) u[0] += held_[c];
+      worst = graver(worst, contact::law_map(held_.empty() ? problem_.law : Law::ccp, problem_.facets, scale, r, u));
     }
     return worst;
   };
@@ -146,7 +150,7 @@ void InteriorOnBodies::find_off() {
     for (std::size_t c = range.first; c < range.last; ++c) {
       const double mu = friction_[c], sn = slope_n_[c], st = slope_t_[c];
       const Vec3 u = u_.at(c);
-      const double t = contact::tangential_norm(u), shift = shifts ? mu * t : 0;
+      const double t = contact::tangential_norm(u), shift = !held_.empty() ? held_[c] : shifts ? mu * t : 0;
       const double slope = shifts && t > 0 ? settings_.slope_share * sn * mu / t : 0;
       along_1_[c] = slope * u[1];
       along_2_[c] = slope * u[2];
@@ -158,15 +162,20 @@ void InteriorOnBodies::find_off() {
   for (std::size_t i = 0; i < capped_.size(); ++i) r_y_.row[0][capped_[i]] -= multiplier_[i];
 }
 
-void InteriorOnBodies::begin(const VecX& start) {
+/// Sets x to impulses, moved into the cones.
+void InteriorOnBodies::place(const VecX& r) {
   for (std::size_t c = 0; c < count_; ++c) {
-    const Vec3 r = contact::project_cone(start.segment<3>(contact::row_of(c)), friction_[c], problem_.force_limit[c]);
-    x_.set(c,
-           {r[0] / slope_n_[c], friction_[c] > 0 ? r[1] / slope_t_[c] : 0, friction_[c] > 0 ? r[2] / slope_t_[c] : 0});
-    y_.set(c, Vec3::Zero());
+    const Vec3 in = contact::project_cone(r.segment<3>(contact::row_of(c)), friction_[c], problem_.force_limit[c]);
+    const bool has_friction = friction_[c] > 0;
+    x_.set(c, {in[0] / slope_n_[c], has_friction ? in[1] / slope_t_[c] : 0, has_friction ? in[2] / slope_t_[c] : 0});
   }
+}
+
+/// Sets the first iterate. Returns the residual of the start.
+double InteriorOnBodies::begin(const VecX& start) {
+  place(start);
   find_motion(z_, u_);
-  const double inside = settings_.inside * find_map();
+  const double map = find_map(), inside = settings_.inside * map;
   for (std::size_t c = 0; c < count_; ++c) {
     const double sn = slope_n_[c], st = slope_t_[c];
     const Vec3 u = u_.at(c);
@@ -185,6 +194,7 @@ void InteriorOnBodies::begin(const VecX& start) {
     y_.row[0][c] += multiplier_[i];
   }
   find_motion(z_, u_);
+  return map;
 }
 
 /// C of a contact.
@@ -252,10 +262,10 @@ void InteriorOnBodies::find_direction(Direction& d) {
   for (std::size_t k = 0; k < z_.size(); ++k)
     for (int i = 0; i < k_node_width; ++i) d.z[k].value[i] = -r_z_[k].value[i];
   bodies_.add_impulses(work_, d.z);
-  if (settings_.shift == Shift::lagged)
-    cholesky_.solve(d.z);
-  else
+  if (settings_.shift == Shift::differentiated)
     lu_->solve(d.z);
+  else
+    cholesky_.solve(d.z);
   for_contacts([&](ContactRange range) { follow_motion(range, d); });
 }
 
@@ -357,11 +367,24 @@ InteriorOnBodies::Outcome InteriorOnBodies::run(const VecX& start, double tolera
                                                 const InteriorSettings& settings) {
   settings_ = settings;
   if (settings.shift == Shift::differentiated) take_slope();
-  begin(start);
+  held_.clear();
+  if (settings.shift == Shift::held) {
+    NILAS_DEMAND(problem_.law == Law::coulomb);
+    held_.assign(count_, 0.0);
+    change_.assign(count_, 0.0);
+    last_ = start;
+  } else {
+    begin(start);
+  }
   return go_on(tolerance, budget);
 }
 
 InteriorOnBodies::Outcome InteriorOnBodies::go_on(double tolerance, const Budget& budget) {
+  return held_.empty() ? iterate(tolerance, budget) : go_round(tolerance, budget);
+}
+
+/// Iterations from the present iterate.
+InteriorOnBodies::Outcome InteriorOnBodies::iterate(double tolerance, const Budget& budget) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   Outcome best{impulses(), infinity, 0, {}};
   Direction d(count_, capped_.size(), z_.size());

@@ -9,6 +9,7 @@
 #include "contact/problem/prepared_problem.h"
 #include "contact/problem/row_of.h"
 #include "contact/solvers/linear/wide_clones.h"
+#include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "tests/contact/solvers/bodies/kernels/run_kernels.h"
 
@@ -20,6 +21,7 @@
 #include "contact/solvers/bodies/body_island.cpp"
 #include "contact/solvers/bodies/cone_pairs.cpp"
 #include "contact/solvers/bodies/interior_on_bodies.cpp"
+#include "contact/solvers/bodies/interior_rounds.cpp"
 #include "contact/solvers/bodies/node_cholesky.cpp"
 #include "contact/solvers/bodies/node_lu.cpp"
 #include "contact/solvers/bodies/node_plan.cpp"
