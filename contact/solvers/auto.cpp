@@ -281,7 +281,10 @@ contact::ContactSolution first_rung(const contact::PreparedProblem& prepared, co
   const bool cold = is_cold(guess);
   // half of the iterations is left for the next rungs
   const int warm = std::max(settings.first_sweeps, std::min(settings.warm_sweeps, budget.iterations() / 2));
-  if (!cold) sweeps.horizon = warm;
+  if (!cold) {
+    sweeps.horizon = warm;
+    sweeps.has_momentum = true;
+  }
   return NsgsSolver(sweeps).solve(prepared, guess, budget.capped(cold ? settings.first_sweeps : warm));
 }
 
