@@ -20,16 +20,24 @@ inline void fetch_part(const Part& part) {
   if (part.facets) fetch(part.facets.get(), 1);
 }
 
-/// Fetches the vertices of a small polytope and, unless only these are read, its faces.
+/// Fetches lists with their bounds.
+template <class Item>
+void fetch(const ItemLists<Item>& lists) {
+  fetch(lists.bounds().data(), lists.bounds().size());
+  fetch(lists.items().data(), lists.items().size());
+}
+
+/// Fetches the vertices of a small polytope and, unless only these are read, its faces and edges.
 inline void fetch_facets(const Part& part, bool only_vertices) {
   if (!part.facets || !part.facets->start_vertices.empty()) return;
   const FacetedGeometry& facets = *part.facets;
   fetch(facets.vertices.data(), static_cast<std::size_t>(facets.vertices.size()));
   if (only_vertices) return;
   fetch(facets.offsets.data(), static_cast<std::size_t>(facets.offsets.size()));
-  fetch(facets.polytope->normals.data(), facets.polytope->normals.size());
-  fetch(facets.face_corners.items().data(), facets.face_corners.items().size());
-  fetch(facets.vertex_faces.items().data(), facets.vertex_faces.items().size());
+  fetch(facets.normals.data(), static_cast<std::size_t>(facets.normals.size()));
+  fetch(facets.face_corners);
+  fetch(facets.vertex_faces);
+  fetch(facets.edges.data(), facets.edges.size());
 }
 
 }  // namespace nilas::detect

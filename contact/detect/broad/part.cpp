@@ -40,10 +40,7 @@ std::vector<EdgeSide> edge_sides(const geometry::ConvexPolytope& polytope) {
 
 PartEdge edge_between(const geometry::ConvexPolytope& polytope, int i, int j, int face) {
   const bool in_order = comes_before(polytope.vertices[i], polytope.vertices[j]);
-  PartEdge edge{in_order ? i : j, in_order ? j : i, face, face};
-  edge.along = polytope.vertices[edge.v1] - polytope.vertices[edge.v0];
-  edge.middle = 0.5 * (polytope.vertices[i] + polytope.vertices[j]);
-  return edge;
+  return {in_order ? i : j, in_order ? j : i, face, face};
 }
 
 void add_edges(const geometry::ConvexPolytope& polytope, FacetedGeometry& facets) {
@@ -58,18 +55,13 @@ void add_edges(const geometry::ConvexPolytope& polytope, FacetedGeometry& facets
       of_vertex[j].push_back(e);
       last = {i, j};
     }
-    PartEdge& edge = facets.edges.back();
-    edge.f1 = f;
-    edge.arc = polytope.normals[f].cross(polytope.normals[edge.f0]);
+    facets.edges.back().f1 = f;
     of_face[f][k] = static_cast<int>(facets.edges.size()) - 1;
   }
   for (std::size_t f = 0; f < of_face.size(); ++f) {
     facets.face_edges.add(of_face[f]);
     std::vector<FaceCorner> corners;
-    for (std::size_t k = 0; k < of_face[f].size(); ++k) {
-      const int v = polytope.faces[f][k];
-      corners.push_back({polytope.vertices[v], v, of_face[f][k]});
-    }
+    for (std::size_t k = 0; k < of_face[f].size(); ++k) corners.push_back({polytope.faces[f][k], of_face[f][k]});
     facets.face_corners.add(corners);
   }
   for (std::size_t v = 0; v < of_vertex.size(); ++v) {

@@ -19,14 +19,10 @@ enum class PartKind { polytope, cylinder, sphere, plane };
 struct PartEdge {
   int v0 = 0, v1 = 0;  ///< vertices, in an order that a mirrored part shares, except for an edge that is its own image
   int f0 = 0, f1 = 0;
-  Vec3 along = Vec3::Zero();   ///< vector from v0 to v1 [m]
-  Vec3 middle = Vec3::Zero();  ///< middle of the edge, the same bits from either end [m]
-  Vec3 arc = Vec3::Zero();     ///< normal of f1 x normal of f0, across the plane of the edge's normals
 };
 
-/// A corner of a face: where it is, its vertex, and the edge that begins there.
+/// A corner of a face: its vertex, and the edge that begins there.
 struct FaceCorner {
-  Vec3 x = Vec3::Zero();
   int vertex = 0, edge = 0;
 };
 
@@ -40,6 +36,8 @@ class ItemLists {
   }
   /// The items of all lists.
   std::span<const Item> items() const { return items_; }
+  /// Where the lists begin and end among all items.
+  std::span<const int> bounds() const { return start_; }
   std::span<const Item> operator[](int i) const {
     return {items_.data() + start_[i], items_.data() + start_[static_cast<std::size_t>(i) + 1]};
   }
@@ -50,10 +48,14 @@ class ItemLists {
 };
 using NumberLists = ItemLists<int>;
 
-/// A polytope with one coordinate per column, so that one pass serves all vertices or all faces.
-struct FacetedGeometry {
+/// A polytope with one coordinate per column, so that one pass serves all vertices or all faces. Numbers that follow
+/// from others are not stored: a search waits longer for the memory of a thousand floes than it computes.
+struct alignas(64) FacetedGeometry {
   const geometry::ConvexPolytope* polytope = nullptr;
+  // What a pair that stays apart reads stands in the first line of the cache.
   Eigen::Array<double, Eigen::Dynamic, 3> vertices;
+  std::vector<int> start_vertices;  ///< support vertex per cell of directions; empty where all vertices are tried
+  double roughness = 0;  ///< largest distance of vertices from the plane of their face or above a neighbour's [m]
   Eigen::Array<double, Eigen::Dynamic, 3> normals;
   Eigen::ArrayXd offsets;
   std::vector<PartEdge> edges;
@@ -61,8 +63,13 @@ struct FacetedGeometry {
   NumberLists face_edges;              ///< edge k joins corners k and k + 1
   NumberLists vertex_faces, vertex_edges;
   NumberLists smooth_neighbours;  ///< neighbours across an edge whose normals differ by less than twice the patch angle
-  std::vector<int> start_vertices;  ///< support vertex per cell of directions; empty where all vertices are tried
-  double roughness = 0;  ///< largest distance of vertices from the plane of their face or above a neighbour's [m]
+
+  Vec3 vertex(int v) const { return {vertices(v, 0), vertices(v, 1), vertices(v, 2)}; }
+  Vec3 normal(int f) const { return {normals(f, 0), normals(f, 1), normals(f, 2)}; }
+  /// Vector from the edge's v0 to its v1 [m].
+  Vec3 along(const PartEdge& edge) const { return vertex(edge.v1) - vertex(edge.v0); }
+  /// Middle of the edge, the same bits from either end [m].
+  Vec3 middle(const PartEdge& edge) const { return 0.5 * (vertex(edge.v0) + vertex(edge.v1)); }
 };
 
 /// One convex part of one body. Points and directions are in the body's frame.

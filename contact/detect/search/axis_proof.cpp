@@ -29,7 +29,7 @@ struct FaceOwner {
     const Vec3 x = a_in_own.point(point_in_a);
     double highest = -std::numeric_limits<double>::infinity();
     for (int f = 0; f < static_cast<int>(facets.offsets.size()); ++f)
-      if (f != face) highest = std::max(highest, facets.polytope->normals[f].dot(x) - facets.offsets[f]);
+      if (f != face) highest = std::max(highest, facets.normal(f).dot(x) - facets.offsets[f]);
     return -highest;
   }
 };
@@ -62,31 +62,29 @@ bool face_is_proven(const PairView& pair, const Axis& axis, const FacingSurfaces
 /// Returns how far a part reaches from a point of its surface along the unit vector d, both in its frame [m].
 double reach_inside(const FacetedGeometry& facets, const Vec3& x, const Vec3& d) {
   double reach = std::numeric_limits<double>::infinity();
-  for (std::size_t f = 0; f < facets.polytope->normals.size(); ++f) {
-    const Vec3& n = facets.polytope->normals[f];
+  for (int f = 0; f < static_cast<int>(facets.offsets.size()); ++f) {
+    const Vec3 n = facets.normal(f);
     const double rate = n.dot(d);
-    if (rate > 0) reach = std::min(reach, (facets.polytope->offsets[f] - n.dot(x)) / rate);
+    if (rate > 0) reach = std::min(reach, (facets.offsets[f] - n.dot(x)) / rate);
   }
   return std::max(reach, 0.0);
 }
 
 bool crossing_is_proven(const PairView& pair, const Axis& axis) {
-  const geometry::ConvexPolytope& a = *pair.a.facets->polytope;
-  const geometry::ConvexPolytope& b = *pair.b.facets->polytope;
-  const PartEdge& edge_a = pair.a.facets->edges[axis.feature_a];
-  const PartEdge& edge_b = pair.b.facets->edges[axis.feature_b];
-  const Vec3 along_b = pair.b_in_a.R * edge_b.along;
-  const Vec3 start_a = a.vertices[edge_a.v0], start_b = pair.b_in_a.point(b.vertices[edge_b.v0]);
+  const FacetedGeometry &a = *pair.a.facets, &b = *pair.b.facets;
+  const PartEdge &edge_a = a.edges[axis.feature_a], &edge_b = b.edges[axis.feature_b];
+  const Vec3 along_a = a.along(edge_a), along_b = pair.b_in_a.R * b.along(edge_b);
+  const Vec3 start_a = a.vertex(edge_a.v0), start_b = pair.b_in_a.point(b.vertex(edge_b.v0));
   // The edges' common perpendicular is the axis, so the nearest points of their lines are the crossing.
-  const NearestOnSegments nearest = nearest_on_segments(start_a, edge_a.along, start_b, along_b);
-  const double area = edge_a.along.cross(along_b).norm();
+  const NearestOnSegments nearest = nearest_on_segments(start_a, along_a, start_b, along_b);
+  const double area = along_a.cross(along_b).norm();
   const double from_b = std::min(nearest.t, 1.0 - nearest.t) * area / along_b.norm();
-  const double from_a = std::min(nearest.u, 1.0 - nearest.u) * area / edge_a.along.norm();
+  const double from_a = std::min(nearest.u, 1.0 - nearest.u) * area / along_a.norm();
   const double depth = -axis.s;
   if (std::min(from_a, from_b) < k_crossing_reach * depth) return false;
   const Vec3 on_b = pair.a_in_b.point(start_b + nearest.u * along_b);
-  const double thickness = reach_inside(*pair.a.facets, start_a + nearest.t * edge_a.along, -axis.n) +
-                           reach_inside(*pair.b.facets, on_b, pair.b_in_a.R.transpose() * axis.n);
+  const double thickness = reach_inside(a, start_a + nearest.t * along_a, -axis.n) +
+                           reach_inside(b, on_b, pair.b_in_a.R.transpose() * axis.n);
   return thickness >= k_crossing_thickness * depth;
 }
 

@@ -135,7 +135,7 @@ class AxisSearch {
   Vec3 support_middle(const Part& part, const Vec3& n) {
     support_vertices(*part.facets, n, pair_.tolerance, room_.vertices);
     OrderFreeVectorSum sum;
-    for (const int v : room_.vertices) sum.add(part.facets->polytope->vertices[v]);
+    for (const int v : room_.vertices) sum.add(part.facets->vertex(v));
     return sum.value() / static_cast<double>(room_.vertices.size());
   }
 

@@ -147,7 +147,7 @@ class CylinderSearch {
     }
     for (const PartEdge& edge : facets.edges) {
       const Vec3& v = facets.polytope->vertices[edge.v0];
-      const Vec3 crossing = edge.along.cross(body.axis);
+      const Vec3 crossing = facets.along(edge).cross(body.axis);
       try_square_to_axis(v, crossing);
       try_square_to_axis(v, -crossing);
       const Arc arc = arc_between(facets.polytope->normals[edge.f0], facets.polytope->normals[edge.f1]);

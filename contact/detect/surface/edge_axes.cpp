@@ -17,10 +17,8 @@ constexpr double k_parallel_sine = 1e-12;
 
 EdgeInA own_edge(const FacetedGeometry& facets, int e) {
   const PartEdge& edge = facets.edges[e];
-  const geometry::ConvexPolytope& polytope = *facets.polytope;
-  return {e,           polytope.vertices[edge.v0], edge.along,
-          edge.middle, polytope.normals[edge.f0],  polytope.normals[edge.f1],
-          edge.arc};
+  const Vec3 n0 = facets.normal(edge.f0), n1 = facets.normal(edge.f1);
+  return {e, facets.vertex(edge.v0), facets.along(edge), facets.middle(edge), n0, n1, n1.cross(n0)};
 }
 
 EdgeInA moved_edge(const FacetedGeometry& facets, int e, const RelativePose& pose) {
@@ -72,7 +70,7 @@ void edges_at_support(const FacetedGeometry& facets, const Vec3& n, double toler
   for (int v : vertices) {
     out.insert(out.end(), facets.vertex_edges[v].begin(), facets.vertex_edges[v].end());
     for (int f : facets.vertex_faces[v])
-      if (face < 0 || facets.polytope->normals[f].dot(n) > facets.polytope->normals[face].dot(n)) face = f;
+      if (face < 0 || facets.normal(f).dot(n) > facets.normal(face).dot(n)) face = f;
   }
   if (face >= 0) out.insert(out.end(), facets.face_edges[face].begin(), facets.face_edges[face].end());
   std::sort(out.begin(), out.end());

@@ -12,7 +12,7 @@ namespace {
 /// Returns the point of y, in y's frame, where n . x is largest.
 Vec3 support_point(const Part& y, const Vec3& n) {
   // the columns of all vertices have just been read, unlike the list of points
-  if (y.facets) return y.facets->vertices.row(support_vertex(*y.facets, n)).transpose();
+  if (y.facets) return y.facets->vertex(support_vertex(*y.facets, n));
   return cylinder_support(y, n, 0).points[0];
 }
 
@@ -26,7 +26,7 @@ struct FaceSearch {
   const Part& y() const { return of_a() ? pair.b : pair.a; }
   const RelativePose& y_in_x() const { return of_a() ? pair.b_in_a : pair.a_in_b; }
   Axis axis(int face, double s) const {
-    const Vec3& n = x().facets->polytope->normals[face];
+    const Vec3 n = x().facets->normal(face);
     if (of_a()) return {n, s, kind, face, -1};
     return {-(pair.b_in_a.R * n), s, kind, -1, face};
   }
@@ -46,7 +46,7 @@ struct FaceTry {
 FaceTry try_face(const FaceSearch& search, int f) {
   const FacetedGeometry& facets = *search.x().facets;
   const RelativePose& y_in_x = search.y_in_x();
-  const Vec3& n = facets.polytope->normals[f];
+  const Vec3 n = facets.normal(f);
   const Vec3 nearest = y_in_x.point(support_point(search.y(), -(y_in_x.R.transpose() * n)));
   return {search.axis(f, n.dot(nearest) - facets.offsets[f]), nearest};
 }
@@ -102,7 +102,7 @@ void search_many_faces(const FaceSearch& search, const Bounds& bounds, AxisConte
     open.erase(highest);
     const Vec3 nearest = enter_face(search, f, contest);
     std::erase_if(open, [&](int g) {
-      bound[g] = std::min(bound[g], facets.polytope->normals[g].dot(nearest) - facets.offsets[g]);
+      bound[g] = std::min(bound[g], facets.normal(g).dot(nearest) - facets.offsets[g]);
       return !in_question(g);
     });
   }

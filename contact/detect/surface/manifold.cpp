@@ -74,7 +74,7 @@ SupportSet support_set(const PatchView& view, const ContactPlane& plane, double 
   if (view.part.facets) {
     std::vector<int> vertices;
     support_vertices(*view.part.facets, direction, tolerance, vertices);
-    for (int v : vertices) add(view.part.facets->polytope->vertices[v], v);
+    for (int v : vertices) add(view.part.facets->vertex(v), v);
   } else {
     const CylinderSupport support = cylinder_support(view.part, direction, tolerance);
     for (int i = 0; i < support.count; ++i) add(support.points[i], i);

@@ -42,10 +42,10 @@ NearestPoint on_cylinder(const Part& part, const Vec3& x) {
 /// Returns the nearest point of an edge, with the feature: the edge or one of its ends.
 NearestPoint on_edge(const FacetedGeometry& facets, int e, const Vec3& x) {
   const PartEdge& edge = facets.edges[e];
-  const Vec3& start = facets.polytope->vertices[edge.v0];
-  const double t = std::clamp(edge.along.dot(x - start) / edge.along.squaredNorm(), 0.0, 1.0);
+  const Vec3 start = facets.vertex(edge.v0), along = facets.along(edge);
+  const double t = std::clamp(along.dot(x - start) / along.squaredNorm(), 0.0, 1.0);
   NearestPoint nearest;
-  nearest.point = start + t * edge.along;
+  nearest.point = start + t * along;
   nearest.distance = (x - nearest.point).norm();
   if (t > 0 && t < 1)
     nearest.feature = {FeatureKind::edge, e, -1};

@@ -47,7 +47,8 @@ struct Projection {
 
 double highest_corner(const FacetedGeometry& facets, int f, const Vec3& direction) {
   double highest = -std::numeric_limits<double>::infinity();
-  for (const FaceCorner& corner : facets.face_corners[f]) highest = std::max(highest, corner.x.dot(direction));
+  for (const FaceCorner& corner : facets.face_corners[f])
+    highest = std::max(highest, facets.vertex(corner.vertex).dot(direction));
   return highest;
 }
 
@@ -55,9 +56,9 @@ double highest_corner(const FacetedGeometry& facets, int f, const Vec3& directio
 bool within_reach(const PatchView& view, int f) {
   const FacetedGeometry& facets = *view.part.facets;
   const auto corners = facets.face_corners[f];
-  const Vec3& first = corners.front().x;
+  const Vec3 first = facets.vertex(corners.front().vertex);
   double size = 0;
-  for (const FaceCorner& corner : corners) size = std::max(size, (corner.x - first).norm());
+  for (const FaceCorner& corner : corners) size = std::max(size, (facets.vertex(corner.vertex) - first).norm());
   return (first - view.other_centre).norm() <= view.other_radius + size;
 }
 
@@ -70,14 +71,14 @@ void grow_patch(const PatchView& view, const Vec3& direction, SurfacePatch& patc
   for (std::size_t i = 0; i < patch.faces.size() && patch.faces.size() < k_most_faces; ++i)
     for (int f : facets.smooth_neighbours[patch.faces[i]]) {
       const bool known = std::find(patch.faces.begin(), patch.faces.end(), f) != patch.faces.end();
-      if (known || facets.polytope->normals[f].dot(direction) < k_grown_cosine) continue;
+      if (known || facets.normal(f).dot(direction) < k_grown_cosine) continue;
       if (highest_corner(facets, f, direction) >= least && within_reach(view, f)) patch.faces.push_back(f);
     }
 }
 
 void collect_faces(const PatchView& view, const Vec3& direction, double tolerance, SurfacePatch& patch) {
   const FacetedGeometry& facets = *view.part.facets;
-  const auto alignment = [&](int f) { return facets.polytope->normals[f].dot(direction); };
+  const auto alignment = [&](int f) { return facets.normal(f).dot(direction); };
   patch.faces.clear();
   if (view.face >= 0) {
     patch.faces.push_back(view.face);
@@ -100,12 +101,11 @@ void collect_faces(const PatchView& view, const Vec3& direction, double toleranc
 void show_polytope(const PatchView& view, const Projection& projection, double tolerance, SurfacePatch& patch) {
   collect_faces(view, view.sign * projection.h, tolerance, patch);
   const FacetedGeometry& facets = *view.part.facets;
-  const geometry::ConvexPolytope& polytope = *facets.polytope;
   for (int f : patch.faces) {
     SurfaceLoop& loop = patch.add();
-    projection.set_plane(polytope.normals[f], polytope.offsets[f], loop);
+    projection.set_plane(facets.normal(f), facets.offsets[f], loop);
     for (const FaceCorner& corner : facets.face_corners[f])
-      loop.corners.push_back(projection.corner(corner.x, corner.vertex, corner.edge));
+      loop.corners.push_back(projection.corner(facets.vertex(corner.vertex), corner.vertex, corner.edge));
   }
 }
 

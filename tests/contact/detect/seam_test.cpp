@@ -46,7 +46,8 @@ TEST(Seams, InnerFacesAndEdgesAreKnown) {
                 std::abs(polytope.offsets[f]) < 1e-12 && std::abs(polytope.normals[f].x()) > 0.5)
           << f;
     for (std::size_t e = 0; e < part.facets->edges.size(); ++e)
-      EXPECT_EQ(part.cover->edge_is_internal[e] != 0, std::abs(part.facets->edges[e].middle.x()) < 1e-12) << e;
+      EXPECT_EQ(part.cover->edge_is_internal[e] != 0, std::abs(part.facets->middle(part.facets->edges[e]).x()) < 1e-12)
+          << e;
   }
   bodies::Bodies partly;
   add_body(partly,
