@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "contact/problem/row_of.h"
-#include "contact/solvers/shared/pgs_sweep.h"
+#include "contact/solvers/shared/pgs_lanes.h"
 
 namespace nilas::solvers {
 
@@ -13,12 +13,25 @@ namespace {
 class PgsBodies : public RowSweeps {
  public:
   PgsBodies(const RowIsland& whole, const SweepSettings& settings)
-      : RowSweeps(whole), sweep_(pgs_sweep(whole.problem.law, settings.shared.tolerance > 0)) {}
+      : RowSweeps(whole),
+        sweep_(pgs_sweep(whole.problem.law, settings.shared.tolerance > 0)),
+        turns_(rows_, island_, settings.shared.tolerance > 0) {}
 
-  double sweep(bool backward) { return sweep_(rows_, island_, backward); }
+  double sweep(bool backward) {
+    return turns_.exist() ? turns_.sweep(rows_, backward) : sweep_(rows_, island_, backward);
+  }
+  double law_map() {
+    turns_.keep_impulses(rows_);
+    return RowSweeps::law_map();
+  }
+  VecX impulses() {
+    turns_.keep_impulses(rows_);
+    return RowSweeps::impulses();
+  }
 
  private:
   PgsSweep sweep_;
+  PgsTurns turns_;
 };
 
 class PgsLocal : public LocalSweeps {

@@ -25,7 +25,7 @@ class Sides {
         n_b_(NB == k_any ? contact.size_b : NB) {}
 
   /// Row i of J_A v_A + J_B v_B.
-  double velocity(Eigen::Index i) const {
+  [[gnu::always_inline]] double velocity(Eigen::Index i) const {
     const double* const row = rows_ + i * (n_a_ + n_b_);
     if constexpr (NA > 0 && NB > 0)
       return (Numbers<NA>(row).cwiseProduct(Numbers<NA>(a_)) + Numbers<NB>(row + NA).cwiseProduct(Numbers<NB>(b_)))
@@ -36,13 +36,13 @@ class Sides {
     return sum;
   }
 
-  void apply_normal(double dn) const {
+  [[gnu::always_inline]] void apply_normal(double dn) const {
     const double* const y = responses_;
     if constexpr (NA != 0) Velocities<NA>(a_, n_a_) += dn * Numbers<NA>(y, n_a_);
     if constexpr (NB != 0) Velocities<NB>(b_, n_b_) += dn * Numbers<NB>(y + n_a_, n_b_);
   }
 
-  void apply(double dn, double d1, double d2) const {
+  [[gnu::always_inline]] void apply(double dn, double d1, double d2) const {
     const Eigen::Index stride = n_a_ + n_b_;
     const double* const y0 = responses_;
     const double *const y1 = y0 + stride, *const y2 = y1 + stride;

@@ -100,14 +100,28 @@ PgsSweep pgs_sweep(Law law, bool track) {
   return track ? sweep<Law::pyramid, true> : sweep<Law::pyramid, false>;
 }
 
-void apply_impulse(const PgsContact& contact, PgsRows& rows) {
-  const Sides<k_any, k_any> sides(contact, rows.coefficients.data(), rows.velocities.data());
-  // a moment that rolls without spinning has no first coordinate
-  if (contact.r[0] == 0 && contact.r[1] == 0 && contact.r[2] == 0) return;
+PgsVisit pgs_visit(Law law, bool track) {
+  if (law == Law::coulomb) return track ? visit_any<Law::coulomb, true> : visit_any<Law::coulomb, false>;
+  if (law == Law::frictionless) return track ? visit_any<Law::frictionless, true> : visit_any<Law::frictionless, false>;
+  return track ? visit_any<Law::pyramid, true> : visit_any<Law::pyramid, false>;
+}
+
+template <int NA, int NB>
+static void apply_impulse_of(const PgsContact& contact, PgsRows& rows) {
+  const Sides<NA, NB> sides(contact, rows.coefficients.data(), rows.velocities.data());
   if (rows.law == Law::frictionless)
     sides.apply_normal(contact.r[0]);
   else
     sides.apply(contact.r[0], contact.r[1], contact.r[2]);
+}
+
+void apply_impulse(const PgsContact& contact, PgsRows& rows) {
+  // a moment that rolls without spinning has no first coordinate
+  if (contact.r[0] == 0 && contact.r[1] == 0 && contact.r[2] == 0) return;
+  if (contact.shape == PgsShape::six_six)
+    apply_impulse_of<6, 6>(contact, rows);
+  else
+    apply_impulse_of<k_any, k_any>(contact, rows);
 }
 
 }  // namespace nilas::solvers
