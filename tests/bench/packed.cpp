@@ -6,10 +6,12 @@
 ///        bench_packed load FOLDER FLOES SWEEPS [TOLERANCE [FRICTION [SOLVER]]]
 ///            the same runs, whose steps are all solved a second time to 1e-8 m/s: how far the hull load of a step is
 ///            off
+/// The environment variable THREADS sets the number of threads, 1 by default.
 #include <malloc.h>
 
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -140,10 +142,16 @@ scene::Scene scene_for(const fs::path& folder, const Asked& asked, int load_chec
   return scene::read_scene(folder / ("packed-" + asked.floes + ".xml"), changes);
 }
 
+int threads() {
+  const char* const asked = std::getenv("THREADS");
+  return asked != nullptr ? std::stoi(asked) : 1;
+}
+
 std::string engine_of(const Asked& asked) {
   std::string engine = asked.cold() ? "nilas-cold" : asked.exact() ? "nilas-" + asked.solver : "nilas";
   if (asked.exact() && asked.tolerance != Asked{}.tolerance) engine += "-" + asked.tolerance;
   if (asked.friction != Asked{}.friction) engine += "-friction-" + asked.friction;
+  if (threads() > 1) engine += "-threads-" + std::to_string(threads());
   return engine;
 }
 
@@ -151,7 +159,7 @@ int run(const fs::path& folder, const Asked& asked) {
   const bool exact = asked.exact();
   const scene::Scene scene = scene_for(folder, asked, 0);
   WarningCounts warnings(make_logger("off", ""));
-  sim::Simulation simulation(scene, 1, warnings);
+  sim::Simulation simulation(scene, threads(), warnings);
   std::vector<peers::Parts> window;
   std::vector<double> natural_maps;
   double contacts = 0, penetration = 0;
@@ -182,7 +190,7 @@ int run(const fs::path& folder, const Asked& asked) {
 int load(const fs::path& folder, const Asked& asked) {
   const scene::Scene scene = scene_for(folder, asked, peers::k_last_measured);
   WarningCounts warnings(make_logger("off", ""));
-  sim::Simulation simulation(scene, 1, warnings);
+  sim::Simulation simulation(scene, threads(), warnings);
   output::StepLoads loads;
   for (int n = 0; n < peers::k_last_measured; ++n) loads.add(simulation.step());
   const output::StepLoadError error =

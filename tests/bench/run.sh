@@ -71,7 +71,10 @@ front() {
         echo "$solver to $tolerance: not within $limit s"
     done
   done
-  for tolerance in 1e-4 1e-6; do "$bin/bench_packed" run "$bin/packed" 1000 0 $tolerance 0.3 >>"$rows"; done
+  for tolerance in 1e-4 1e-6; do
+    "$bin/bench_packed" run "$bin/packed" 1000 0 $tolerance 0.3 >>"$rows"
+    for friction in 0.15 0.3; do THREADS=2 "$bin/bench_packed" run "$bin/packed" 1000 0 $tolerance $friction >>"$rows"; done
+  done
   if "$python" -c 'import mujoco' 2>/dev/null; then
     "$python" tests/bench/peers/mujoco_peer.py "$scene" "${LIMIT:-300}" >>"$rows" || true
   fi
