@@ -9,9 +9,9 @@ namespace nilas {
 
 namespace {
 
-/// Looks at a number that another thread is about to change, before the thread that waits goes to sleep: about the time
-/// that it takes to wake it. More looks would keep a core from other programs.
-constexpr int k_looks = 300;
+/// Looks at a number that another thread is about to change, before the thread that waits goes to sleep: some 100
+/// microseconds. Loops of a solve follow each other within that time, and waking a thread takes as long as such a loop.
+constexpr int k_looks = 10000;
 
 void pause_processor() {
 #if defined(__x86_64__)
