@@ -39,7 +39,7 @@ constexpr double k_least_of_interior = 5e-7;
 /// saves.
 constexpr double k_most_lagged_friction = 0.2;
 constexpr double k_loose = 1e-5;
-constexpr InteriorSettings k_lagged{};
+constexpr InteriorSettings k_lagged{.inside = 1};
 constexpr InteriorSettings k_first_lagged{.slope_share = 0.7, .patience = 20, .lagged_patience = 4};
 
 /// Newton seldom finds the solution from a larger share of the residual of no impulses than this [-].
