@@ -80,6 +80,58 @@ Islands islands_of(const contact::ContactProblem& problem, const std::vector<cha
   return islands;
 }
 
+bool falls_apart(std::size_t together, std::size_t contacts) {
+  return static_cast<double>(together) <= k_most_together * static_cast<double>(contacts);
+}
+
+/// For each island the most closing contacts that hang together.
+std::vector<std::size_t> largest_parts(const contact::ContactProblem& problem, const Islands& islands, const VecX& r,
+                                       const std::vector<double>& maps) {
+  std::vector<char> closes(maps.size());
+  mark_closing(r, maps, closes);
+  std::vector<std::size_t> island_of(maps.size(), islands.size());
+  for (std::size_t k = 0; k < islands.size(); ++k)
+    for (const int c : islands[k]) island_of[c] = k;
+  std::vector<std::size_t> most(islands.size() + 1, 0);  // the last for contacts of solved islands
+  for (const auto& part : islands_of(problem, closes)) {
+    std::size_t& here = most[island_of[part.front()]];
+    here = std::max(here, part.size());
+  }
+  return most;
+}
+
+void put(const VecX& part, const std::vector<int>& contacts, VecX& r) {
+  for (std::size_t i = 0; i < contacts.size(); ++i)
+    r.segment<3>(contact::row_of(contacts[i])) = part.segment<3>(contact::row_of(i));
+}
+
+/// The rounds of one island. Leaves the impulses with the least residual.
+void solve_apart(const contact::PreparedProblem& island, double tolerance, const PartSolve& solve, VecX& best) {
+  const contact::ContactProblem& problem = island.problem();
+  VecX r = best;
+  std::vector<double> maps = law_maps(island, r);
+  double least = *std::max_element(maps.begin(), maps.end());
+  std::vector<char> closes(maps.size());
+  bool goes_on = true;
+  for (int round = 0; goes_on && round < k_most_parting_rounds && mark_closing(r, maps, closes); ++round) {
+    const Islands parts = unsolved(islands_of(problem, closes), maps, tolerance);
+    if (parts.empty() || !falls_apart(largest(parts), maps.size())) break;
+    std::vector<int> contacts;
+    for (const auto& part : parts) contacts.insert(contacts.end(), part.begin(), part.end());
+    std::sort(contacts.begin(), contacts.end());
+    const contact::ContactProblem part = contact::select(problem, contacts);
+    const contact::ContactSolution found = solve(contact::PreparedProblem(part), impulses_of(r, contacts));
+    put(found.r, contacts, r);
+    if (!r.allFinite()) break;
+    maps = law_maps(island, r);
+    if (const double map = *std::max_element(maps.begin(), maps.end()); map <= least) {
+      least = map;
+      best = r;
+    }
+    goes_on = found.status == contact::SolveStatus::converged;
+  }
+}
+
 }  // namespace
 
 VecX impulses_of(const VecX& r, const std::vector<int>& contacts) {
@@ -91,26 +143,21 @@ VecX impulses_of(const VecX& r, const std::vector<int>& contacts) {
 
 Islands solve_closing(const contact::PreparedProblem& whole, double tolerance, const PartSolve& solve, VecX& r) {
   const contact::ContactProblem& problem = whole.problem();
-  std::vector<double> maps = law_maps(whole, r);
+  const std::vector<double> maps = law_maps(whole, r);
   Islands islands = unsolved(whole.islands(), maps, tolerance);
   if (largest(islands) < k_least_contacts || !r.allFinite()) return islands;
-  const auto most = static_cast<std::size_t>(k_most_together * static_cast<double>(largest(islands)));
-  std::vector<char> closes(maps.size());
-  bool goes_on = true;
-  for (int round = 0; goes_on && round < k_most_parting_rounds && mark_closing(r, maps, closes); ++round) {
-    const Islands parts = unsolved(islands_of(problem, closes), maps, tolerance);
-    if (parts.empty() || largest(parts) > most) break;
-    std::vector<int> contacts;
-    for (const auto& part : parts) contacts.insert(contacts.end(), part.begin(), part.end());
-    std::sort(contacts.begin(), contacts.end());
-    const contact::ContactProblem part = contact::select(problem, contacts);
-    const contact::ContactSolution found = solve(contact::PreparedProblem(part), impulses_of(r, contacts));
-    for (std::size_t i = 0; i < contacts.size(); ++i)
-      r.segment<3>(contact::row_of(contacts[i])) = found.r.segment<3>(contact::row_of(i));
-    maps = law_maps(whole, r);
-    goes_on = found.status == contact::SolveStatus::converged;
+  const std::vector<std::size_t> together = largest_parts(problem, islands, r, maps);
+  bool is_changed = false;
+  for (std::size_t k = 0; k < islands.size(); ++k) {
+    const std::vector<int>& island = islands[k];
+    if (island.size() < k_least_contacts || !falls_apart(together[k], island.size())) continue;
+    const contact::ContactProblem part = contact::select(problem, island);
+    VecX r_part = impulses_of(r, island);
+    solve_apart(contact::PreparedProblem(part), tolerance, solve, r_part);
+    put(r_part, island, r);
+    is_changed = true;
   }
-  return unsolved(whole.islands(), maps, tolerance);
+  return is_changed ? unsolved(whole.islands(), law_maps(whole, r), tolerance) : islands;
 }
 
 }  // namespace nilas::solvers

@@ -16,24 +16,42 @@ namespace closing_contacts_test {
 
 constexpr double k_tolerance = 1e-9;
 
-/// Bodies of 1 kg in a row without friction, each of which closes on the next where it approaches it faster than 1 m/s.
+/// Rows of bodies of 1 kg without friction, each of which closes on the next where it approaches it faster than 1 m/s.
 /// The first one moves.
-contact::ContactProblem row_of_bodies(int count, double speed) {
+contact::ContactProblem rows_of_bodies(const std::vector<int>& counts, double speed) {
   contact::ContactProblem problem;
   problem.h = 0.01;
   std::vector<test::TestBody> bodies;
-  for (int k = 0; k < count; ++k) {
-    test::TestBody body;
-    body.p = Vec3(k, 0, 0);
-    body.v = Vec3(k == 0 ? speed : 0, 0, 0);
-    bodies.push_back(body);
-    test::add_body(problem, body);
-  }
-  for (int k = 0; k + 1 < count; ++k) {
-    const int c = test::add_contact(problem, bodies, k, k + 1, Vec3(k + 0.5, 0, 0), test::frame_of(Vec3::UnitX()), 0);
-    problem.w[3 * c] = 1;
+  for (const int count : counts) {
+    const int first = static_cast<int>(bodies.size());
+    for (int k = 0; k < count; ++k) {
+      test::TestBody body;
+      body.p = Vec3(k, 0, 0);
+      body.v = Vec3(k == 0 ? speed : 0, 0, 0);
+      bodies.push_back(body);
+      test::add_body(problem, body);
+    }
+    for (int k = first; k + 1 < first + count; ++k) {
+      const Vec3 place(k - first + 0.5, 0, 0);
+      const int c = test::add_contact(problem, bodies, k, k + 1, place, test::frame_of(Vec3::UnitX()), 0);
+      problem.w[3 * c] = 1;
+    }
   }
   return problem;
+}
+
+contact::ContactProblem row_of_bodies(int count, double speed) { return rows_of_bodies({count}, speed); }
+
+/// The sizes of the parts that are solved, in turn.
+std::vector<int> sizes_of_parts(const contact::ContactProblem& problem) {
+  std::vector<int> sizes;
+  const PartSolve solve = [&](const contact::PreparedProblem& part, const VecX& guess) {
+    sizes.push_back(part.problem().num_contacts());
+    return contact::find_solver("newton").make({.tolerance = k_tolerance})->solve(part, guess);
+  };
+  VecX r = VecX::Zero(contact::row_of(problem.num_contacts()));
+  EXPECT_TRUE(solve_closing(contact::PreparedProblem(problem), k_tolerance, solve, r).empty());
+  return sizes;
 }
 
 /// m bodies that hang together move at v_m, v_m + 1, ... v_m + m - 1 and keep the momentum of the first: m v_m +
@@ -55,6 +73,14 @@ TEST(ClosingContacts, AreFoundOneAfterTheOther) {
   const VecX v = contact::velocities(whole, r);
   for (int k = 0; k < 10; ++k) EXPECT_NEAR(v[row.block_offset[k]], 9.5 - k, 1e-8);
   for (int k = 10; k < 2000; ++k) EXPECT_EQ(v[row.block_offset[k]], 0);
+}
+
+/// An island's way does not depend on others beside it, larger or smaller.
+TEST(ClosingContacts, OfEachIslandAreFoundAlone) {
+  std::vector<int> twice = sizes_of_parts(row_of_bodies(2000, 50));
+  EXPECT_EQ(sizes_of_parts(row_of_bodies(300, 50)), twice);
+  twice.insert(twice.end(), twice.begin(), twice.end());
+  EXPECT_EQ(sizes_of_parts(rows_of_bodies({2000, 300}, 50)), twice);
 }
 
 /// Where most contacts close they hang together, and the island is as hard without the others.
