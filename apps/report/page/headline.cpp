@@ -115,7 +115,7 @@ std::vector<std::string> limits(const RunFindings& found) {
       fmt::format("The window is {:.4g} s to {:.4g} s: {}.", load.window.from, load.window.to, load.window.reason));
   if (std::string unsolved = unsolved_text(found); !unsolved.empty()) text.push_back(std::move(unsolved));
   const output::StepLoadError step = output::step_load_error_of(found.run.summary);
-  if (step.checked > 0 && !step.is_trusted()) text.push_back(output::step_load_text(step));
+  if (step.has_any() && !step.is_trusted()) text.push_back(output::step_load_text(step));
   if (!load.peak_depends.empty()) text.push_back(load.peak_depends);
   text.emplace_back(
       "The error does not cover other ice of the same kind. Run other seeds (--seed) and compare the means.");

@@ -91,9 +91,9 @@ std::string error_text(const LoadError& error) {
   if (error.solver_at_least)
     text += fmt::format(
         ". In {} of the window's steps the solver residual was above the scene's tolerance{}; the effect on the "
-        "motion of the ice is not known. {}",
+        "motion of the ice is not known. {}{}",
         percent_text(error.share_short), error.ice_broke ? " or above a thousandth of the vessel's speed" : "",
-        sim::k_unsolved_advice);
+        sim::k_unsolved_advice, error.ice_broke ? ", or a smaller contact/@tolerance" : "");
   return text + ". The +- does not cover other ice of the same kind: run other seeds (--seed) and compare the means.";
 }
 

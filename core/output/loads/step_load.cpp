@@ -58,7 +58,8 @@ StepLoadError StepLoads::error(const sim::RunInfo& info, const LoadWindow& windo
   if (errors.empty()) return found;
   constexpr double k_most = 0.95;
   found.mean = mean_of(sizes);
-  const auto share = [&](double newton) { return newton == 0 ? 0 : newton / found.mean; };
+  // where ice bears nothing by the second solutions, all that the run counts is error
+  const auto share = [&](double newton) { return newton == 0 ? 0 : found.mean > 0 ? newton / found.mean : 1; };
   found.median = share(median_of(errors));
   found.p95 = share(percentile_of(std::move(errors), k_most));
   return found;
@@ -95,7 +96,8 @@ std::string step_load_text(const StepLoadError& error) {
   if (!error.is_trusted())
     text +=
         " Do not use single steps and raw peaks of this run. The residual does not show this, since sweeps hide the "
-        "pressure of a jam. Set contact/@solver=\"auto\" or a smaller contact/@tolerance.";
+        "pressure of a jam. Set contact/@law=\"coulomb\" with contact/@solver=\"auto\", or a smaller "
+        "contact/@tolerance.";
   return text;
 }
 

@@ -19,9 +19,13 @@ struct StepLoadError {
   double mean = 0;             ///< mean size of the load in the checked steps [N]
   double median = 0, p95 = 0;  ///< median and 95th percentile of the errors; without a checked step 0
 
-  /// Whether most single steps have the load that the contact law asks for.
-  bool is_trusted() const { return checked > 0 && p95 <= k_trusted; }
-  static constexpr double k_trusted = 0.1;
+  bool has_any() const { return checked + unsolved > 0; }
+  /// Whether most single steps have the load that the contact law asks for, as far as most second solutions can tell.
+  bool is_trusted() const {
+    return checked > 0 && p95 <= k_trusted &&
+           static_cast<double>(unsolved) <= k_unknown * static_cast<double>(checked + unsolved);
+  }
+  static constexpr double k_trusted = 0.1, k_unknown = 0.1;
 };
 
 /// Collects the checked steps of a run.

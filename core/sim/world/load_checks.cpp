@@ -16,11 +16,19 @@ namespace {
 constexpr int k_checks = 50, k_least_steps = 100;
 /// Tolerance of the second solution [m/s]. Loads of jams then have four right digits, however they were reached.
 constexpr double k_strict = 1e-8;
+/// Sweeps and factorisations of a second solution at most: a jam that locks would take many times the time of a step.
+/// With rolling friction sweeps are all that there is, and the scene says how many.
+constexpr int k_most_iterations = 300;
 
 bool has_rigid_friction(const scene::ContactScene& contact) {
   return contact.law.law != Law::frictionless &&
          std::any_of(contact.friction.begin(), contact.friction.end(),
                      [](const scene::FrictionScene& pair) { return !pair.elastic && pair.static_ > 0; });
+}
+
+bool rolls(const scene::ContactScene& contact) {
+  return std::any_of(contact.friction.begin(), contact.friction.end(),
+                     [](const scene::FrictionScene& pair) { return pair.rolling > 0 || pair.spinning > 0; });
 }
 
 }  // namespace
@@ -38,6 +46,7 @@ LoadChecks build_load_checks(const scene::Scene& scene, const WorldParts& parts,
   contact::SolverSettings settings;
   settings.tolerance = checks.tolerance;
   settings.threads = threads;
+  settings.max_iterations = rolls(scene.contact) ? scene.contact.max_iterations : k_most_iterations;
   checks.solver = contact::find_solver(SolverName::automatic).make(settings);
   return checks;
 }

@@ -87,6 +87,7 @@ void World::save(StateWriter out) const {
   warm.save(out.group("warm_start"));
   if (elastic) elastic->save(out.group("elastic"));
   energy.save(out.group("energy"));
+  out.add("check_every", load_checks.every);  // a later end would set another
   if (parts.hull_water) out.add("hull_twist", parts.hull_water->twist);
   if (parts.commands->size() > 0) parts.commands->save(out.group("commands"));
   for (const auto& module : parts.modules) module->save(parts.bodies, out.group("module_" + module->name()));
@@ -112,6 +113,8 @@ void World::restore(const StateReader& in) {
   warm.restore(in.group("warm_start"));
   if (elastic) elastic->restore(in.group("elastic"));
   energy.restore(in.group("energy"));
+  in.get("check_every", load_checks.every);
+  if (load_checks.solver) parts.info.check_every = load_checks.every;
   for (const auto& module : parts.modules) module->restore(state_of(*module));
 }
 

@@ -50,6 +50,28 @@ TEST(StepLoad, ErrorsAreSharesOfTheMeanLoadOfTheCheckedSteps) {
   EXPECT_TRUE(early.is_trusted());
 }
 
+/// A run may count the pressure of a jam that the second solutions do not find.
+TEST(StepLoad, IsAllErrorWhereIceBearsNothing) {
+  StepLoads loads;
+  sim::StepRecord record;
+  record.step = 1;
+  record.load_check = sim::LoadCheck{{Vec3(3, 0, 0)}, {Vec3::Zero()}, true};
+  loads.add(record);
+  const StepLoadError error = loads.error(checked_run(), k_all);
+  EXPECT_EQ(error.median, 1);
+  EXPECT_EQ(error.p95, 1);
+  EXPECT_FALSE(error.is_trusted());
+}
+
+TEST(StepLoad, IsNotTrustedWhereManySecondSolutionsFail) {
+  StepLoads loads;
+  for (long k = 1; k <= 9; ++k) loads.add(step(k, 0));
+  loads.add(step(10, 0, false));
+  EXPECT_TRUE(loads.error(checked_run(), k_all).is_trusted());
+  loads.add(step(11, 0, false));
+  EXPECT_FALSE(loads.error(checked_run(), k_all).is_trusted());
+}
+
 /// Forces on several bodies count as one vector: errors of opposite sign do not cancel.
 TEST(StepLoad, OfSeveralBodiesDoesNotCancel) {
   StepLoads loads;
