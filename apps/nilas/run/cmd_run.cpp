@@ -275,9 +275,19 @@ class Run {
       return {"failed", exit_numerics, e.what()};
     }
     const bool is_due = checkpoint_steps > 0 || (stop_requested() && can_be_saved());
-    if (is_due && steps_saved_ != simulation.steps()) write_checkpoint(simulation);
+    if (is_due && steps_saved_ != simulation.steps()) write_last_checkpoint(simulation, checkpoint_steps > 0);
     if (stop_requested()) return interrupted_at(simulation.time());
     return ending;
+  }
+
+  /// One that was not asked for must not cost the run its outputs where it cannot be written.
+  void write_last_checkpoint(const sim::Simulation& simulation, bool is_asked) {
+    try {
+      write_checkpoint(simulation);
+    } catch (const FileError& e) {
+      if (is_asked) throw;
+      logger_->warn("no checkpoint could be written: {}", e.what());
+    }
   }
 
   /// What the reference integrator remembers cannot be saved.
@@ -298,8 +308,7 @@ class Run {
              (twins_ ? ", without its perturbed runs." : ".");
     }
     if (!can_be_saved()) return "The run cannot be resumed: the reference integrator has no checkpoints.";
-    return "The run cannot be resumed: it stopped within a step and had no checkpoint; --checkpoint-every SECONDS "
-           "writes some on the way.";
+    return "The run cannot be resumed: it has no checkpoint; --checkpoint-every SECONDS writes some on the way.";
   }
 
   void say_what_was_built(const sim::RunInfo& info) {
