@@ -5,8 +5,9 @@
 ///   0  the guess itself, measured
 ///   1  nsgs, 20 sweeps: enough for loose contact, and the state of most contacts for the next rung. Problems with
 ///      bodies are swept on their velocities, without W; only what is left is reduced to W. With a guess up to 250
-///      sweeps with momentum, as long as they promise to suffice (SweepSettings::horizon). Of islands of 200 contacts or more the
-///      contacts that close climb on alone where they fall apart (closing_contacts.h), and all others after them
+///      sweeps with momentum, as long as they promise to suffice (SweepSettings::horizon). Of islands of 200 contacts
+///      or more the contacts that close climb on alone where they fall apart (closing_contacts.h), and all others after
+///      them
 ///   2  for laws with cones and problems with bodies: interior point, then newton, on the bodies (body_ladder.h),
 ///      without W; in jams, with mass ratios and force limits this is what solves. It is the last rung of islands of
 ///      1500 contacts or more that the bodies take: the next ones find the same steps from W, at four times the cost

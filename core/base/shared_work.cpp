@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -36,7 +37,7 @@ class Helpers {
   bool share(int threads, void (*call)(const void*), const void* body) {
     const std::unique_lock alone(in_use_, std::try_to_lock);
     if (!alone) return false;
-    while (static_cast<int>(helpers_.size()) < threads - 1) helpers_.emplace_back([this] { help(); });
+    call_helpers(threads - 1);
     {
       const std::lock_guard lock(mutex_);
       call_ = call;
@@ -73,6 +74,14 @@ class Helpers {
     }
   }
 
+  /// Makes helpers up to this number, or as many as the system grants.
+  void call_helpers(int count) {
+    try {
+      while (static_cast<int>(helpers_.size()) < count) helpers_.emplace_back([this] { help(); });
+    } catch (const std::system_error&) {
+    }
+  }
+
   std::mutex in_use_;
   std::mutex mutex_;
   void (*call_)(const void*) = nullptr;
@@ -86,7 +95,7 @@ class Helpers {
 }  // namespace
 
 void share_work(int threads, void (*call)(const void*), const void* body) {
-  // never destroyed: the helpers sleep until the program ends
+  // never destroyed: the helpers sleep until the program ends; a child of fork() has none and must call exec first
   static Helpers& helpers = *new Helpers;
   if (threads > 1 && !is_sharing && helpers.share(threads, call, body)) return;
   call(body);

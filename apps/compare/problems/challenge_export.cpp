@@ -200,6 +200,7 @@ int export_problems(const ProblemExportOptions& options, const std::function<boo
   };
   verify::run_jobs(sources.size(), options.threads,
                    [&](std::size_t k) {
+                     if (stop()) return;
                      std::vector<Found> found = sources[k].make();
                      for (std::size_t i = 0; i < found.size() && !stop(); ++i) {
                        found[i].problem.law = Law::coulomb;

@@ -53,7 +53,7 @@ InteriorOnBodies::Outcome InteriorOnBodies::go_round(double tolerance, const Bud
       marked = best.law_map_m_s;
       in_vain = -1;
     }
-    if (!(map > tolerance) || round.iterations == 0 || !budget.allows(best.iterations)) break;
+    if (!(map > tolerance) || !budget.allows(best.iterations)) break;
   }
   return best;
 }

@@ -5,7 +5,7 @@
 /// masses (O'Donoghue, Candes 2015), or moved twice as far as the shortest since: sweeps are no descent of one
 /// function, and momentum alone leaves all numbers in some jams. Moments and impulses of y may lie outside of their
 /// cones, which the next visit mends. Costs about a fifth of a sweep. In jams of 190 to 3900 floes sweeps to 1e-4 m/s
-/// become 2.5 to 7 times fewer.
+/// become up to 4 times fewer, 3 times in the median. In a loose raft they may become more, by half.
 #include <limits>
 #include <utility>
 #include <vector>

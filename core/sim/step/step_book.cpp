@@ -174,8 +174,8 @@ void note_solution(World& world, const contact::ContactSolution& solution, doubl
   if (as_asked) return;
   world.warnings.warn(
       "steps short of the contact tolerance",
-      fmt::format("At {:g} s the contact solver left a residual of {:.2g} m/s,\n"
-                  "  and {:.2g} m/s was asked for. Do not use the loads of such a step. {}.\n"
+      fmt::format("At {:g} s the contact solver left a residual of {:.3g} m/s,\n"
+                  "  and {:.3g} m/s was asked for. Do not use the loads of such a step. {}.\n"
                   "  The solver reports: {}{}.",
                   t_end, record.residuals.law_map_m_s, world.model.tolerance, k_unsolved_advice,
                   contact::to_string(solution.status), solution.message.empty() ? "" : ",\n  " + solution.message));

@@ -12,6 +12,7 @@ namespace pgs_lanes_test {
 /// Impulses of three sweeps there and three back, and the changes that the sweeps tell.
 struct Swept {
   std::vector<double> impulses, changes;
+  int in_lanes = 0;  ///< islands
 };
 
 Swept sweep_up_and_down(const contact::ContactProblem& problem, const VecX& guess, bool track, bool in_lanes) {
@@ -27,6 +28,7 @@ Swept sweep_up_and_down(const contact::ContactProblem& problem, const VecX& gues
                                      : pgs_sweep(rows.law, track)(rows, island, backward));
     }
     if (in_lanes) turns.keep_impulses(rows);
+    swept.in_lanes += in_lanes && turns.exist() ? 1 : 0;
   }
   for (const PgsContact& contact : rows.contacts) swept.impulses.insert(swept.impulses.end(), contact.r, contact.r + 3);
   return swept;
@@ -47,6 +49,7 @@ TEST(PgsLanes, GiveTheBitsOfSingleVisits) {
         const Swept single = sweep_up_and_down(problem, start, track, false);
         EXPECT_EQ(lanes.impulses, single.impulses);
         EXPECT_EQ(lanes.changes, single.changes);
+        EXPECT_EQ(lanes.in_lanes, 1);
       }
     }
 }

@@ -22,7 +22,7 @@ inline void append_products(std::vector<double>& results) {
     for (const auto& column : block.column) results.insert(results.end(), column, column + 4);
 }
 
-/// Iterates of the interior point with either shift: products and factors of both kinds on the bodies, and the algebra
+/// Iterates of the interior point with each shift: products and factors of both kinds on the bodies, and the algebra
 /// of cones. Rounding multiplies in them, so that a last bit that differs anywhere shows.
 inline std::vector<double> run_kernels(const contact::ContactProblem& problem) {
   const contact::PreparedProblem prepared(problem);
@@ -31,7 +31,8 @@ inline std::vector<double> run_kernels(const contact::ContactProblem& problem) {
   InteriorOnBodies interior(prepared, bodies, plan);
   const VecX nothing = VecX::Zero(3 * problem.num_contacts());
   std::vector<double> results;
-  for (const InteriorSettings& settings : {InteriorSettings{}, InteriorSettings{Shift::differentiated, 0.7, 1, 20}}) {
+  for (const InteriorSettings& settings : {InteriorSettings{}, InteriorSettings{Shift::differentiated, 0.7, 1, 20},
+                                           InteriorSettings{Shift::held, 0, 1, 12}}) {
     const auto found = interior.run(nothing, 1e-9, Budget({.max_iterations = 15}), settings);
     append(found.r, results);
     results.push_back(found.law_map_m_s);

@@ -1,5 +1,6 @@
 #pragma once
-/// Results of all loops that contact/solvers compiles for several kinds of registers (linear/wide_clones.h).
+/// Results of the loops on the bodies and of products of blocks, which contact/solvers compiles for several kinds of
+/// registers (linear/wide_clones.h).
 #include <cstddef>
 #include <cstring>
 #include <vector>
