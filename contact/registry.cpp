@@ -27,12 +27,6 @@ static std::unique_ptr<solvers::ContactSolver> make(const SolverSettings& shared
   return std::make_unique<Solver>(settings);
 }
 
-/// A number of sweeps that is asked for without a tolerance is that of plain sweeps.
-static std::unique_ptr<solvers::ContactSolver> make_nsgs(const SolverSettings& shared) {
-  return std::make_unique<solvers::NsgsSolver>(
-      solvers::NsgsSettings{.shared = shared, .has_momentum = shared.tolerance > 0});
-}
-
 static std::unique_ptr<solvers::ContactSolver> make_order_free(const SolverSettings& shared) {
   return std::make_unique<solvers::EgSolver>(solvers::EgSettings{.shared = shared, .order_free = true});
 }
@@ -54,7 +48,7 @@ static std::unique_ptr<solvers::ContactSolver> make_named(SolverName name, const
     case SolverName::pgs:
       return make<solvers::PgsSolver, solvers::PgsSettings>(settings);
     case SolverName::nsgs:
-      return make_nsgs(settings);
+      return make<solvers::NsgsSolver, solvers::NsgsSettings>(settings);
     case SolverName::eg:
       return make<solvers::EgSolver, solvers::EgSettings>(settings);
     case SolverName::eg_order_free:

@@ -7,8 +7,8 @@
 /// local problem u_a is gathered over the row of W. W may be asymmetric. Contacts with b_N >= 0 that carry nothing cost
 /// one row (all three for ccp).
 /// Contraction per sweep: cos^2(pi/2n) for a column of n equal bodies, M/(M + m) for M on m: a first stage and a solver
-/// for loose fields; stacks, hyperstatic piles and heavy-on-light want another. Momentum makes sweeps several times
-/// fewer there (shared/sweep_momentum.h).
+/// for loose fields; stacks, hyperstatic piles and heavy-on-light want another. Momentum (has_momentum) makes sweeps
+/// several times fewer there (shared/sweep_momentum.h).
 /// Sources: Jourdan, Alart, Jean 1998; Jean 1999 (non-smooth contact dynamics).
 ///
 /// Laws: all. Nominal tolerances: 1e-6 m/s in simulations, 1e-10 m/s in tests. Islands are solved apart.

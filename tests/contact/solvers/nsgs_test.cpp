@@ -6,7 +6,6 @@
 #include <chrono>
 #include <cmath>
 
-#include "contact/registry.h"
 #include "tests/contact/solvers/contraction.h"
 #include "tests/support/problems/problem_changes.h"
 #include "tests/support/problems/problem_factory.h"
@@ -221,18 +220,6 @@ TEST(Nsgs, MomentumKeepsItsBitsWithThreads) {
   const contact::ContactProblem problem = test::raft(20, 0.3, 1, 1);  // 1520 contacts: a large island
   const contact::ContactSolution one = with_momentum(problem, 1e-4);
   for (const int threads : {2, 3}) EXPECT_EQ(with_momentum(problem, 1e-4, threads).r, one.r) << threads;
-}
-
-/// Asked for a number of sweeps instead of a tolerance, the solver makes plain ones.
-TEST(Nsgs, HasMomentumByItsNameWhereThereIsATolerance) {
-  const contact::ContactProblem problem = test::raft(6, 0.6, 1, 4);
-  const auto named = [&](double tolerance, int most) {
-    return contact::find_solver(SolverName::nsgs)
-        .make({.tolerance = tolerance, .max_iterations = most})
-        ->solve(problem, {});
-  };
-  EXPECT_EQ(named(0, 7).r, solve(problem, 0, 7).r);
-  EXPECT_EQ(named(1e-6, 20000).r, with_momentum(problem, 1e-6).r);
 }
 
 }  // namespace nsgs_test
