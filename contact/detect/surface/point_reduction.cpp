@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "core/base/order_free_sum.h"
 
@@ -51,9 +53,21 @@ double angle_rank(double u, double v) {
 }
 
 void sort_around(const Mean& mean, Points& points) {
-  std::sort(points.begin(), points.end(), [&](const OverlayPoint& p, const OverlayPoint& q) {
-    return angle_rank(p.u - mean.u, p.v - mean.v) < angle_rank(q.u - mean.u, q.v - mean.v);
-  });
+  const auto rank = [&](const OverlayPoint& p) { return angle_rank(p.u - mean.u, p.v - mean.v); };
+  constexpr std::size_t k_few = 32;
+  if (points.size() > k_few) {
+    std::sort(points.begin(), points.end(),
+              [&](const OverlayPoint& p, const OverlayPoint& q) { return rank(p) < rank(q); });
+    return;
+  }
+  // the same order with each rank computed once
+  std::array<std::pair<double, int>, k_few> order;
+  std::array<OverlayPoint, k_few> unsorted;
+  for (std::size_t i = 0; i < points.size(); ++i) order[i] = {rank(points[i]), static_cast<int>(i)};
+  std::copy(points.begin(), points.end(), unsorted.begin());
+  std::sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(points.size()),
+            [](const auto& p, const auto& q) { return p.first < q.first; });
+  for (std::size_t i = 0; i < points.size(); ++i) points[i] = unsorted[order[i].second];
 }
 
 Points::const_iterator find(const Points& points, const Feature& feature) {
@@ -104,44 +118,62 @@ void drop_flat_corners(Points& points, double deepest) {
   }
 }
 
-/// The image of each point in an axis through the mean of all; empty when one of them has none.
+/// One number per candidate point. Most pairs of floes come here in every step, so nothing is allocated.
+template <class Number>
+using PerPoint = std::array<Number, k_most_candidates>;
+/// A set of candidate points, one bit each.
+using Members = std::uint32_t;
+constexpr Members member(int i) { return Members{1} << i; }
+Members members_of(const Four& four) { return member(four[0]) | member(four[1]) | member(four[2]) | member(four[3]); }
+
+/// The image of each point in an axis through the mean of all; none where one of them has none.
 class Images {
  public:
   Images(const Points& points, const Mean& mean, double sign_u, double sign_v, double tolerance) {
-    for (const OverlayPoint& p : points) {
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const OverlayPoint& p = points[i];
       const double u = sign_u * (p.u - mean.u), v = sign_v * (p.v - mean.v);
       const auto image = std::find_if(points.begin(), points.end(), [&](const OverlayPoint& q) {
         return std::abs(q.u - mean.u - u) + std::abs(q.v - mean.v - v) + std::abs(q.gap - p.gap) <= tolerance;
       });
-      if (image == points.end()) {
-        of_.clear();
-        return;
-      }
-      of_.push_back(static_cast<int>(image - points.begin()));
+      if (image == points.end()) return;
+      of_[i] = member(static_cast<int>(image - points.begin()));
     }
+    exist_ = true;
   }
-  bool exist() const { return !of_.empty(); }
   /// Returns whether a set is its own image.
   bool keep(const Four& four) const {
-    return exist() && std::all_of(four.begin(), four.end(),
-                                  [&](int i) { return std::find(four.begin(), four.end(), of_[i]) != four.end(); });
+    if (!exist_) return false;
+    const Members images = of_[four[0]] | of_[four[1]] | of_[four[2]] | of_[four[3]];
+    return (images & ~members_of(four)) == 0;
   }
 
  private:
-  std::vector<int> of_;
+  PerPoint<Members> of_{};
+  bool exist_ = false;
 };
 
-/// The merits of a set of four, in the order in which they decide. Larger is better, and a mirror does not change them.
+/// The merits of a set of four that decide first. Larger is better, and a mirror does not change them.
 struct Merit {
-  double symmetry_v = 0, area = -std::numeric_limits<double>::infinity(), centring = 0, symmetry_u = 0, length = 0,
-         forward = 0;
+  double symmetry_v = 0, area = -std::numeric_limits<double>::infinity();
   double closeness = 0;  ///< a factor of the area, and so of its rounding
 
-  bool beats(const Merit& other, double tie) const {
+  /// Returns 1 where this is better, -1 where the other is, and 0 for a tie.
+  int compared(const Merit& other, double tie) const {
     const double area_tie = tie * std::max(closeness, other.closeness);
-    if (std::abs(symmetry_v - other.symmetry_v) > tie) return symmetry_v > other.symmetry_v;
-    if (std::abs(area - other.area) > area_tie) return area > other.area;
-    for (const double Merit::*part : {&Merit::centring, &Merit::symmetry_u, &Merit::length, &Merit::forward})
+    if (std::abs(symmetry_v - other.symmetry_v) > tie) return symmetry_v > other.symmetry_v ? 1 : -1;
+    if (std::abs(area - other.area) > area_tie) return area > other.area ? 1 : -1;
+    return 0;
+  }
+};
+
+/// The merits that decide ties, in this order.
+struct LesserMerit {
+  double centring = 0, symmetry_u = 0, length = 0, forward = 0;
+
+  bool beats(const LesserMerit& other, double tie) const {
+    for (const double LesserMerit::*part :
+         {&LesserMerit::centring, &LesserMerit::symmetry_u, &LesserMerit::length, &LesserMerit::forward})
       if (std::abs(this->*part - other.*part) > tie) return this->*part > other.*part;
     return false;
   }
@@ -149,24 +181,31 @@ struct Merit {
 
 class SetChoice {
  public:
+  /// `points`: at most k_most_candidates.
   SetChoice(const Points& points, double deepest, double margin, double tolerance)
       : points_(points),
         centre_(mean_of(points)),
         deepest_(deepest),
         across_(points, centre_, 1, -1, tolerance),
         along_(points, centre_, -1, 1, tolerance) {
-    for (const OverlayPoint& p : points)
-      reach_ = std::max({reach_, std::abs(p.u - centre_.u), std::abs(p.v - centre_.v)});
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      u_[i] = points[i].u - centre_.u;
+      v_[i] = points[i].v - centre_.v;
+      square_[i] = u_[i] * u_[i] + v_[i] * v_[i];
+      reach_ = std::max({reach_, std::abs(u_[i]), std::abs(v_[i])});
+      if (points[i].gap <= deepest + tolerance) deep_ |= member(static_cast<int>(i));
+    }
     range_ = std::max(margin - deepest, k_least_slope * reach_);
-    for (const OverlayPoint& p : points) closeness_.push_back(std::pow(1 - (p.gap - deepest) / range_, k_sharpness));
+    for (std::size_t i = 0; i < points.size(); ++i)
+      closeness_[i] = std::pow(1 - (points[i].gap - deepest) / range_, k_sharpness);
     tie_ = tolerance * reach_;
   }
 
-  void consider(const Four& four, double tolerance) {
-    const auto is_deep = [&](int i) { return points_[i].gap <= deepest_ + tolerance; };
-    if (std::none_of(four.begin(), four.end(), is_deep)) return;
+  void consider(const Four& four) {
+    if ((members_of(four) & deep_) == 0) return;
     const Merit merit = merit_of(four);
-    if (!merit.beats(most_, tie_)) return;
+    const int compared = merit.compared(most_, tie_);
+    if (compared < 0 || (compared == 0 && !lesser_merit_of(four).beats(lesser_merit_of(best_), tie_))) return;
     most_ = merit;
     best_ = four;
   }
@@ -193,32 +232,39 @@ class SetChoice {
   }
 
  private:
-  double closeness(const Four& four) const {
-    double product = 1;
-    for (int i : four) product *= closeness_[i];
-    return product;
+  /// Returns the square of the distance between the mean of a set and that of all points.
+  double distance_of(const Four& four) const {
+    Mean mean;
+    for (const int i : four) {
+      mean.u += u_[i] / k_spread_points;
+      mean.v += v_[i] / k_spread_points;
+    }
+    return mean.u * mean.u + mean.v * mean.v;
   }
 
   Merit merit_of(const Four& four) const {
-    Merit merit;
-    Mean mean;
+    Merit merit{0, 0, 1};
     double spread = 0;
-    for (int i : four) {
-      const double u = points_[i].u - centre_.u, v = points_[i].v - centre_.v;
-      mean.u += u / k_spread_points;
-      mean.v += v / k_spread_points;
-      spread += u * u + v * v;
+    for (const int i : four) {
+      spread += square_[i];
+      merit.closeness *= closeness_[i];
+    }
+    const double area = std::abs(cross(points_[four[0]], points_[four[2]], points_[four[1]], points_[four[3]]));
+    merit.symmetry_v = across_.keep(four) ? reach_ * reach_ : 0.0;
+    merit.area = (area + k_spread_weight * (spread - k_spread_points * distance_of(four))) * merit.closeness;
+    return merit;
+  }
+
+  LesserMerit lesser_merit_of(const Four& four) const {
+    LesserMerit merit;
+    for (const int i : four) {
+      const double u = u_[i];
       // these powers distinguish a square on its corner from one on its side, and a set from the same turned by half a
       // turn
       merit.length += u * u * u * u / (reach_ * reach_);
       merit.forward += u * u * u / reach_;
     }
-    const double distance = mean.u * mean.u + mean.v * mean.v;
-    const double area = std::abs(cross(points_[four[0]], points_[four[2]], points_[four[1]], points_[four[3]]));
-    merit.symmetry_v = across_.keep(four) ? reach_ * reach_ : 0.0;
-    merit.closeness = closeness(four);
-    merit.area = (area + k_spread_weight * (spread - k_spread_points * distance)) * merit.closeness;
-    merit.centring = -distance;
+    merit.centring = -distance_of(four);
     merit.symmetry_u = along_.keep(four) ? reach_ * reach_ : 0.0;
     return merit;
   }
@@ -226,8 +272,10 @@ class SetChoice {
   const Points& points_;
   Mean centre_;
   double deepest_, reach_ = 0, range_ = 0, tie_ = 0;
+  PerPoint<double> u_, v_, square_;  ///< places from the middle of all, and the squares of their distances from it
   /// Weight of each point: 1 at the depth of the deepest, 0 at the margin, so that points about to touch count more.
-  std::vector<double> closeness_;
+  PerPoint<double> closeness_;
+  Members deep_ = 0;
   Images across_, along_;
   Merit most_;
   Four best_{};
@@ -266,7 +314,7 @@ double left_open(const Points& kept, const OverlayPoint& p) {
 /// or not at all where there is no room for all. So a mirrored contact keeps the mirrored points.
 void cover_the_rest(double tolerance, double cover, const Points& points, Points& kept) {
   std::vector<double> open(points.size());
-  while (std::isfinite(cover)) {
+  for (;;) {
     for (std::size_t i = 0; i < points.size(); ++i) open[i] = left_open(kept, points[i]);
     const double most = *std::max_element(open.begin(), open.end());
     if (most <= cover) return;
@@ -279,6 +327,7 @@ void cover_the_rest(double tolerance, double cover, const Points& points, Points
 
 Points chosen(const Points& points, const Four& four) {
   Points of_four;
+  of_four.reserve(k_most_points);
   for (int i : four) of_four.push_back(points[i]);
   return of_four;
 }
@@ -305,13 +354,12 @@ Points beside_the_kept(const SetChoice& choice, const Points& points, const Poin
 /// Returns the four of `points` (in turn around their middle) that spread best, or those of the last call with the
 /// points that stay with them.
 Points best_four(const Points& points, double deepest, double margin, double tolerance, std::span<const Feature> last) {
-  if (points.size() <= k_spread_points) return points;
   SetChoice choice(points, deepest, margin, tolerance);
   const int count = static_cast<int>(points.size());
   for (int i = 0; i < count; ++i)
     for (int j = i + 1; j < count; ++j)
       for (int k = j + 1; k < count; ++k)
-        for (int l = k + 1; l < count; ++l) choice.consider({i, j, k, l}, tolerance);
+        for (int l = k + 1; l < count; ++l) choice.consider({i, j, k, l});
   const std::optional<Four> kept = choice.kept(last);
   Points four = chosen(points, kept.value_or(choice.best()));
   if (!kept) return four;
@@ -328,12 +376,16 @@ std::size_t keep_spread_points(double tolerance, double margin, double cover, Po
   sort_around(mean_of(points), points);
   const auto shallower = [](const OverlayPoint& p, const OverlayPoint& q) { return p.gap < q.gap; };
   const double deepest = std::min_element(points.begin(), points.end(), shallower)->gap;
-  const Points all = points;
+  const bool covers = std::isfinite(cover);
+  const Points all = covers ? points : Points();
   if (points.size() > k_most_candidates) keep_first_to_touch(deepest + tolerance, tolerance, points);
   drop_flat_corners(points, deepest + tolerance);
-  points = best_four(points, deepest, margin, tolerance, last);
+  if (points.size() > k_spread_points) {
+    const Points best = best_four(points, deepest, margin, tolerance, last);
+    points.assign(best.begin(), best.end());  // in the room that the next pair uses too
+  }
   const std::size_t kept = points.size();
-  cover_the_rest(tolerance, cover, all, points);
+  if (covers) cover_the_rest(tolerance, cover, all, points);
   return kept;
 }
 
