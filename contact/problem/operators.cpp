@@ -7,7 +7,6 @@
 
 namespace nilas::contact {
 
-using Rows6 = Eigen::Matrix<double, 3, 6, Eigen::RowMajor>;
 using RowMajor = ContactProblem::RowMajor;
 
 namespace {
@@ -20,30 +19,42 @@ struct Side {
   int block = -1;
 };
 
-Side side_of(const ContactProblem& problem, int block, const ContactProblem::ConstJacobian& jacobian) {
+[[gnu::always_inline]] inline Side side_of(const ContactProblem& problem, int block, const double* rows) {
   if (block < 0) return {};
-  return {jacobian.data(), jacobian.cols(), problem.block_offset[block], block};
+  return {rows, problem.block_size(block), problem.block_offset[block], block};
 }
 
-Side side_a(const ContactProblem& problem, int c) {
-  return side_of(problem, problem.pairs[c].a, problem.jacobian_a(c));
+[[gnu::always_inline]] inline Side side_a(const ContactProblem& problem, int c) {
+  return side_of(problem, problem.pairs[c].a, problem.jacobian_data.data() + problem.jacobian_offset[c]);
 }
 
-Side side_b(const ContactProblem& problem, int c) {
-  return side_of(problem, problem.pairs[c].b, problem.jacobian_b(c));
+/// `a`: the other side, whose rows come first.
+[[gnu::always_inline]] inline Side side_b(const ContactProblem& problem, int c, const Side& a) {
+  return side_of(problem, problem.pairs[c].b,
+                 problem.jacobian_data.data() + problem.jacobian_offset[c] + static_cast<std::size_t>(3 * a.n));
+}
+
+constexpr Eigen::Index k_body = 6;  ///< velocities of a rigid body
+
+/// The product of a row and six velocities, with the sum in the order of the general product.
+[[gnu::always_inline]] inline double row_times(const double* row, const double* x) {
+  return (row[0] * x[0] + (row[2] * x[2] + row[4] * x[4])) + (row[1] * x[1] + (row[3] * x[3] + row[5] * x[5]));
 }
 
 /// J x, with the usual size six unrolled.
-Vec3 times(const Side& side, const double* x) {
-  if (side.n == 6) return Eigen::Map<const Rows6>(side.rows) * Eigen::Map<const Vec6>(x);
+[[gnu::always_inline]] inline Vec3 times(const Side& side, const double* x) {
+  if (side.n == k_body)
+    return {row_times(side.rows, x), row_times(side.rows + k_body, x), row_times(side.rows + 2 * k_body, x)};
   return Eigen::Map<const RowMajor>(side.rows, 3, side.n).lazyProduct(Eigen::Map<const VecX>(x, side.n));
 }
 
-void add_transposed(const Side& side, const Vec3& r, double* y) {
-  if (side.n == 6)
-    Eigen::Map<Vec6>{y} += Eigen::Map<const Rows6>(side.rows).transpose() * r;
-  else
-    Eigen::Map<VecX>(y, side.n) += Eigen::Map<const RowMajor>(side.rows, 3, side.n).transpose().lazyProduct(r);
+[[gnu::always_inline]] inline void add_transposed(const Side& side, const Vec3& r, double* y) {
+  if (side.n == k_body) {
+    const double *const normal = side.rows, *const first = normal + k_body, *const second = first + k_body;
+    for (Eigen::Index k = 0; k < k_body; ++k) y[k] += (normal[k] * r[0] + first[k] * r[1]) + second[k] * r[2];
+    return;
+  }
+  Eigen::Map<VecX>(y, side.n) += Eigen::Map<const RowMajor>(side.rows, 3, side.n).transpose().lazyProduct(r);
 }
 
 void respond(const MassInverse& masses, const Side& side, double* response) {
@@ -59,20 +70,20 @@ void add_product(const Side& side, const double* response, Mat3& w) {
 
 Vec3 contact_velocity(const ContactProblem& problem, int c, const double* v) {
   Vec3 u = problem.w.segment<3>(row_of(c));
-  const Side a = side_a(problem, c), b = side_b(problem, c);
+  const Side a = side_a(problem, c), b = side_b(problem, c, a);
   if (a.n > 0) u += times(a, v + a.first);
   if (b.n > 0) u += times(b, v + b.first);
   return u;
 }
 
 void add_impulse(const ContactProblem& problem, int c, const Vec3& r, double* momentum) {
-  const Side a = side_a(problem, c), b = side_b(problem, c);
+  const Side a = side_a(problem, c), b = side_b(problem, c, a);
   if (a.n > 0) add_transposed(a, r, momentum + a.first);
   if (b.n > 0) add_transposed(b, r, momentum + b.first);
 }
 
 Mat3 delassus_block(const ContactProblem& problem, const MassInverse& masses, int c, double* response) {
-  const Side a = side_a(problem, c), b = side_b(problem, c);
+  const Side a = side_a(problem, c), b = side_b(problem, c, a);
   double* const response_b = response + 3 * a.n;
   Mat3 w = Mat3::Zero();
   if (a.n > 0) {
@@ -94,7 +105,8 @@ double inverse_mass_scale(const ContactProblem& problem, const MassInverse& mass
   const auto& pair = problem.pairs[c];
   if (pair.a == pair.b) return inverse_mass_scale(delassus_block(problem, masses, c, response));
   double trace = 0;
-  for (const Side& side : {side_a(problem, c), side_b(problem, c)})
+  const Side a = side_a(problem, c);
+  for (const Side& side : {a, side_b(problem, c, a)})
     for (int i = 0; i < 3 && side.n > 0; ++i) trace += masses.square(side.block, side.rows + i * side.n);
   return trace / 3;
 }

@@ -31,8 +31,8 @@ class Sides {
       return (Numbers<NA>(row).cwiseProduct(Numbers<NA>(a_)) + Numbers<NB>(row + NA).cwiseProduct(Numbers<NB>(b_)))
           .sum();
     double sum = 0;
-    if constexpr (NA != 0) sum += Numbers<NA>(row, n_a_).dot(Numbers<NA>(a_, n_a_));
-    if constexpr (NB != 0) sum += Numbers<NB>(row + n_a_, n_b_).dot(Numbers<NB>(b_, n_b_));
+    if constexpr (NA != 0) sum += times<NA>(row, a_, n_a_);
+    if constexpr (NB != 0) sum += times<NB>(row + n_a_, b_, n_b_);
     return sum;
   }
 
@@ -43,17 +43,30 @@ class Sides {
   }
 
   [[gnu::always_inline]] void apply(double dn, double d1, double d2) const {
-    const Eigen::Index stride = n_a_ + n_b_;
-    const double* const y0 = responses_;
-    const double *const y1 = y0 + stride, *const y2 = y1 + stride;
-    if constexpr (NA != 0)
-      Velocities<NA>(a_, n_a_) += dn * Numbers<NA>(y0, n_a_) + d1 * Numbers<NA>(y1, n_a_) + d2 * Numbers<NA>(y2, n_a_);
-    if constexpr (NB != 0)
-      Velocities<NB>(b_, n_b_) +=
-          dn * Numbers<NB>(y0 + n_a_, n_b_) + d1 * Numbers<NB>(y1 + n_a_, n_b_) + d2 * Numbers<NB>(y2 + n_a_, n_b_);
+    if constexpr (NA != 0) add<NA>(dn, d1, d2, responses_, n_a_, a_);
+    if constexpr (NB != 0) add<NB>(dn, d1, d2, responses_ + n_a_, n_b_, b_);
   }
 
  private:
+  // For blocks of a rigid body as plain loops: the compiler leaves the general expressions uninlined in visits. The
+  // order of their sums is the same.
+  template <int N>
+  [[gnu::always_inline]] static double times(const double* row, const double* v, Eigen::Index n) {
+    if constexpr (N == 6)
+      return (row[0] * v[0] + (row[2] * v[2] + row[4] * v[4])) + (row[1] * v[1] + (row[3] * v[3] + row[5] * v[5]));
+    else
+      return Numbers<N>(row, n).dot(Numbers<N>(v, n));
+  }
+  template <int N>
+  [[gnu::always_inline]] void add(double dn, double d1, double d2, const double* y, Eigen::Index n, double* v) const {
+    const Eigen::Index stride = n_a_ + n_b_;
+    const double *const y1 = y + stride, *const y2 = y1 + stride;
+    if constexpr (N == 6)
+      for (int k = 0; k < N; ++k) v[k] += dn * y[k] + d1 * y1[k] + d2 * y2[k];
+    else
+      Velocities<N>(v, n) += dn * Numbers<N>(y, n) + d1 * Numbers<N>(y1, n) + d2 * Numbers<N>(y2, n);
+  }
+
   const double* rows_;
   const double* responses_;
   double* a_;

@@ -143,8 +143,8 @@ static void write_rows(const contact::ContactProblem& problem, const contact::Ma
 }
 
 /// Lower triangle of W_cc from the rows. `same_block`: both sides belong to one tree, and each moves the other.
-static Mat3 own_block(const double* rows, const double* responses, Eigen::Index n_a, Eigen::Index n_b,
-                      bool same_block) {
+[[gnu::always_inline]] static inline Mat3 own_block(const double* rows, const double* responses, Eigen::Index n_a,
+                                                    Eigen::Index n_b, bool same_block) {
   const Eigen::Index stride = n_a + n_b;
   Mat3 w = Mat3::Zero();
   for (Eigen::Index i = 0; i < 3; ++i)
@@ -159,6 +159,22 @@ static Mat3 own_block(const double* rows, const double* responses, Eigen::Index 
       w(i, j) = sum;
     }
   return w;
+}
+
+/// The same, unrolled for the usual sizes.
+static Mat3 own_block(const PgsContact& contact, const double* rows, const double* responses, bool same_block) {
+  constexpr Eigen::Index k_body = 6;
+  switch (contact.shape) {
+    case PgsShape::six_six:
+      return own_block(rows, responses, k_body, k_body, false);
+    case PgsShape::six_none:
+      return own_block(rows, responses, k_body, 0, false);
+    case PgsShape::none_six:
+      return own_block(rows, responses, 0, k_body, false);
+    case PgsShape::general:
+      break;
+  }
+  return own_block(rows, responses, contact.size_a, contact.size_b, same_block);
 }
 
 static void set_impulse(const Vec3& guess, Law law, PgsContact& contact) {
@@ -194,7 +210,7 @@ static void fill_contact(const contact::ContactProblem& problem, const contact::
     std::copy_n(all_rows, contact.stride(), rows.coefficients.data() + contact.rows);
     if (!once) std::copy_n(all_responses, contact.stride(), rows.coefficients.data() + contact.responses);
   }
-  const Mat3 w = own_block(all_rows, all_responses, contact.size_a, contact.size_b, pair.a == pair.b);
+  const Mat3 w = own_block(contact, all_rows, all_responses, pair.a == pair.b);
   const double d = contact::inverse_mass_scale(w);
   rows.scales[place] = contact::contact_scale(problem, c, d);
   contact.mu = problem.mu[i];
