@@ -168,6 +168,33 @@ Residuals measure(const PreparedProblem& prepared, const VecX& r, const VecX& v,
   return out;
 }
 
+/// law_map of contact c, which is no moment [m/s].
+static double law_map_of(const PreparedProblem& prepared, int c, const VecX& r, const VecX& v) {
+  const ContactProblem& problem = prepared.problem();
+  const Vec3 r_c = r.segment<3>(row_of(c));
+  const ContactScale scale = contact_scale(problem, c, prepared.inverse_mass_scales()[c]);
+  const Vec3 u = compliant_velocity(problem, c, r_c, contact_velocity(problem, c, v.data()));
+  const int m = problem.moment_of(c);
+  if (m < 0) return law_map(problem.law, problem.facets, scale, r_c, u);
+  return law_map(problem.law, scale, {r_c, r.segment<3>(row_of(m))}, {u, contact_velocity(problem, m, v.data())});
+}
+
+double largest_law_map(const PreparedProblem& prepared, const VecX& r, int threads) {
+  const ContactProblem& problem = prepared.problem();
+  const std::ptrdiff_t count = problem.num_contacts();
+  const VecX v = velocities(prepared, r);
+  std::vector<double> worst_of(static_cast<std::size_t>(num_chunks(count)), 0.0);
+  parallel_chunks(count, k_chunk, threads, [&](std::ptrdiff_t chunk, std::ptrdiff_t first, std::ptrdiff_t last) {
+    double worst = 0;
+    for (auto c = static_cast<int>(first); c < last; ++c)
+      if (!problem.is_moment(c)) keep_worst(worst, law_map_of(prepared, c, r, v));
+    worst_of[chunk] = worst;
+  });
+  double worst = 0;
+  for (const double of_chunk : worst_of) keep_worst(worst, of_chunk);
+  return worst;
+}
+
 Residuals measure(const PreparedProblem& prepared, const VecX& r) {
   return measure(prepared, r, velocities(prepared, r));
 }

@@ -31,6 +31,9 @@ Residuals measure(const PreparedProblem& prepared, const VecX& r);
 Residuals measure(const PreparedProblem& prepared, const VecX& r, const VecX& v, std::vector<double>& d,
                   int threads = 1);
 
+/// Returns law_map_m_s alone, for impulses r with v = M^-1 (f + H r): the bits of `measure` at a third of its cost.
+double largest_law_map(const PreparedProblem& prepared, const VecX& r, int threads = 1);
+
 /// Prepares the problem first.
 Residuals measure(const ContactProblem& problem, const VecX& r, const VecX& v);
 /// The same with v = M^-1 (f + H r).

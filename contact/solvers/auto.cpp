@@ -260,8 +260,8 @@ contact::SolveStatus solve_without_w(const contact::ContactProblem& problem, con
     const int swept = found.iterations;
     contact::ContactSolution next = ApgdSolver({.shared = shared}).solve(part, found.r, budget.after(swept));
     log.add("apgd", "iterations", next.iterations);
-    const double map = contact::measure(part, next.r).law_map_m_s,
-                 swept_map = contact::measure(part, found.r).law_map_m_s;
+    const double map = contact::largest_law_map(part, next.r, shared.threads),
+                 swept_map = contact::largest_law_map(part, found.r, shared.threads);
     if (map <= swept_map || std::isnan(swept_map)) found = std::move(next);
     found.iterations += swept;
   }
@@ -304,10 +304,10 @@ contact::ContactSolution climb_with_bodies(const contact::PreparedProblem& prepa
   contact::ContactSolution swept = first_rung(prepared, guess.r, running, budget);
   log.add_sweeps(swept.iterations);
   if (swept.status == contact::SolveStatus::converged || problem.has_moments()) return swept;
-  const double swept_map = contact::measure(prepared, swept.r).law_map_m_s;
+  const double swept_map = contact::largest_law_map(prepared, swept.r, settings.shared.threads);
   if (guess.map < swept_map || (std::isnan(swept_map) && std::isfinite(guess.map))) swept.r = guess.r;
   const auto climb_again = [&](const contact::PreparedProblem& part, const VecX& r) {
-    const double map = contact::measure(part, r).law_map_m_s;
+    const double map = contact::largest_law_map(part, r, settings.shared.threads);
     contact::ContactSolution found = climb_with_bodies(part, {r, map}, settings, budget.after(swept.iterations), log);
     swept.iterations += found.iterations;
     swept.history.insert(swept.history.end(), found.history.begin(), found.history.end());
@@ -336,7 +336,7 @@ contact::ContactSolution climb_with_bodies(const contact::PreparedProblem& prepa
         solution.status, left.allows(0) ? contact::SolveStatus::stalled : contact::SolveStatus::iteration_limit);
   solution.history.insert(solution.history.begin(), swept.history.begin(), swept.history.end());
   if (solution.status == contact::SolveStatus::converged &&
-      !(contact::measure(prepared, solution.r).law_map_m_s <= settings.shared.tolerance))
+      !(contact::largest_law_map(prepared, solution.r, settings.shared.threads) <= settings.shared.tolerance))
     solution.status = contact::SolveStatus::stalled;
   return solution;
 }
@@ -363,8 +363,8 @@ contact::ContactSolution AutoSolver::solve(const contact::LocalProblem& problem,
 
 contact::ContactSolution AutoSolver::solve(const contact::PreparedProblem& prepared, const VecX& guess) const {
   NILAS_DEMAND(guess.size() == 0 || guess.size() == contact::row_of(prepared.problem().num_contacts()));
-  const double map =
-      guess.size() > 0 ? contact::measure(prepared, guess).law_map_m_s : std::numeric_limits<double>::infinity();
+  const double map = guess.size() > 0 ? contact::largest_law_map(prepared, guess, settings_.shared.threads)
+                                      : std::numeric_limits<double>::infinity();
   if (map <= settings_.shared.tolerance) return accepted(prepared, guess);
   Log log;
   contact::ContactSolution solution =

@@ -78,13 +78,14 @@ class BodyClimb {
   BodyClimb(const contact::PreparedProblem& island, const BodyIsland& bodies, const NodePlan& plan, const VecX& start,
             const contact::SolverSettings& settings, const Budget& budget)
       : island_(island),
+        bodies_(bodies),
         settings_(settings),
         budget_(budget),
         interior_(island, bodies, plan),
         system_(island, bodies, plan),
         start_(start) {
     best_.r = start_;
-    best_.law_map_m_s = contact::measure(island, start_).law_map_m_s;
+    best_.law_map_m_s = contact::largest_law_map(island, start_, bodies.threads());
     if (!std::isfinite(best_.law_map_m_s)) best_.law_map_m_s = std::numeric_limits<double>::infinity();
     still_ = keep_better(VecX::Zero(start_.size()));
   }
@@ -109,7 +110,7 @@ class BodyClimb {
 
   /// Returns the residual [m/s].
   double keep_better(const VecX& r) {
-    const double map = contact::measure(island_, r).law_map_m_s;
+    const double map = contact::largest_law_map(island_, r, bodies_.threads());
     if (map < best_.law_map_m_s) {
       best_.law_map_m_s = map;
       best_.r = r;
@@ -158,6 +159,7 @@ class BodyClimb {
   }
 
   const contact::PreparedProblem& island_;
+  const BodyIsland& bodies_;
   const contact::SolverSettings& settings_;
   const Budget& budget_;
   InteriorOnBodies interior_;

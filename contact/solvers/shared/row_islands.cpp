@@ -44,7 +44,7 @@ void merge(const std::vector<contact::ContactSolution>& parts, contact::ContactS
 void solve_all(const contact::ContactProblem& problem, const contact::MassInverse& masses, PgsRows& rows,
                const contact::SolverSettings& shared, const RowSolve& solve, contact::ContactSolution& out) {
   std::vector<contact::ContactSolution> parts(rows.islands.size());
-  RowResidual residual(problem, masses);
+  RowResidual residual(problem, masses, shared.threads);
   const auto is_large = [&](std::size_t i) { return rows.islands[i].last - rows.islands[i].first >= k_large_island; };
   const auto solve_island = [&](std::size_t i, int threads) {
     parts[i] = solve_one({problem, masses, rows, rows.islands[i], residual, threads}, shared, solve);
@@ -78,7 +78,10 @@ contact::ContactSolution solve_row_islands(const contact::PreparedProblem& prepa
   else
     solve_all(problem, masses, rows, shared, solve, out);
   out.v = contact::velocities(prepared, out.r);
-  out.u = contact::contact_velocities(problem, out.v);
+  out.u.resize(out.r.size());
+  parallel_for(problem.num_contacts(), shared.threads, [&](std::ptrdiff_t c) {
+    out.u.segment<3>(3 * c) = contact::contact_velocity(problem, static_cast<int>(c), out.v.data());
+  });
   if (out.status != contact::SolveStatus::numerical_error && !(out.v.allFinite() && out.r.allFinite()))
     fail("the impulses grew beyond all numbers", out);
   return out;

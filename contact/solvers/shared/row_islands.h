@@ -22,9 +22,6 @@ struct RowIsland {
 /// A solver of one island; `r`, `v` and `u` of its solution are not read.
 using RowSolve = std::function<contact::ContactSolution(const RowIsland& island)>;
 
-/// Islands of fewer contacts are solved side by side, larger ones one after another with all threads inside.
-constexpr int k_large_island = 1000;
-
 /// Sets the rows up with the guess made admissible, calls `solve` for every island (in parallel, each with its own
 /// data) and gathers: the worst status, the most iterations, the first message. numerical_error where input or
 /// impulses are not finite, a mass is not positive definite, or a contact closes whose sides cannot move and that has

@@ -6,6 +6,7 @@
 #include "contact/law/moment_cone.h"
 #include "contact/problem/operators.h"
 #include "contact/problem/row_of.h"
+#include "core/base/parallel.h"
 
 namespace nilas::solvers {
 
@@ -18,24 +19,33 @@ static const PgsContact& moment_of(const PgsRows& rows, const PgsContact& contac
 
 static int moment_source(const PgsRows& rows, const PgsContact& contact) { return rows.source[contact.moment]; }
 
+/// law_map of the contact at a place of the rows; 0 for a moment, which is judged with its contact.
+double RowResidual::law_map_of(const PgsRows& rows, std::size_t place) const {
+  const PgsContact& contact = rows.contacts[place];
+  if (contact.bound_by >= 0) return 0;
+  const int c = rows.source[place];
+  const Vec3 r = Eigen::Map<const Vec3>(contact.r);
+  const Vec3 u = contact::compliant_velocity(problem_, c, r, contact::contact_velocity(problem_, c, v_.data()));
+  if (contact.moment < 0) return nilas::contact::law_map(problem_.law, problem_.facets, rows.scales[place], r, u);
+  return nilas::contact::law_map(problem_.law, rows.scales[place],
+                                 {r, Eigen::Map<const Vec3>(moment_of(rows, contact).r)},
+                                 {u, contact::contact_velocity(problem_, moment_source(rows, contact), v_.data())});
+}
+
 double RowResidual::law_map(const PgsRows& rows, const PgsIsland& island) {
   set_velocities(rows, island);
+  const std::ptrdiff_t count = island.last - island.first;
+  const auto graver = [](double map, double worst) { return !(map <= worst) && !std::isnan(worst) ? map : worst; };
+  std::vector<double> worst_of(static_cast<std::size_t>(num_chunks(count)), 0.0);
+  parallel_chunks(count, k_chunk, count >= k_large_island ? threads_ : 1,
+                  [&](std::ptrdiff_t chunk, std::ptrdiff_t first, std::ptrdiff_t last) {
+                    double worst = 0;
+                    for (std::ptrdiff_t k = first; k < last; ++k)
+                      worst = graver(law_map_of(rows, static_cast<std::size_t>(island.first + k)), worst);
+                    worst_of[chunk] = worst;
+                  });
   double worst = 0;
-  for (int k = island.first; k < island.last; ++k) {
-    const auto i = static_cast<std::size_t>(k);
-    const PgsContact& contact = rows.contacts[i];
-    if (contact.bound_by >= 0) continue;  // judged with its contact
-    const int c = rows.source[i];
-    const Vec3 r = Eigen::Map<const Vec3>(contact.r);
-    const Vec3 u = contact::compliant_velocity(problem_, c, r, contact::contact_velocity(problem_, c, v_.data()));
-    const double map = contact.moment < 0
-                           ? nilas::contact::law_map(problem_.law, problem_.facets, rows.scales[i], r, u)
-                           : nilas::contact::law_map(
-                                 problem_.law, rows.scales[i], {r, Eigen::Map<const Vec3>(moment_of(rows, contact).r)},
-                                 {u, contact::contact_velocity(problem_, moment_source(rows, contact), v_.data())});
-    if (!(map <= worst)) worst = map;
-    if (std::isnan(worst)) return worst;
-  }
+  for (const double of_chunk : worst_of) worst = graver(of_chunk, worst);
   return worst;
 }
 

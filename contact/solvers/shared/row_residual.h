@@ -7,11 +7,19 @@
 
 namespace nilas::solvers {
 
-/// One solve's true velocities. Islands touch different parts, so they may be asked from different threads.
+/// Islands of fewer contacts are solved side by side, larger ones one after another with all threads inside.
+constexpr int k_large_island = 1000;
+
+/// One solve's true velocities. Islands touch different parts, so small ones may be asked from different threads.
 class RowResidual {
  public:
-  RowResidual(const contact::ContactProblem& problem, const contact::MassInverse& masses)
-      : problem_(problem), masses_(masses), momentum_(VecX::Zero(problem.num_velocities())), v_(momentum_) {}
+  /// `threads`: of the work on one large island.
+  RowResidual(const contact::ContactProblem& problem, const contact::MassInverse& masses, int threads)
+      : problem_(problem),
+        masses_(masses),
+        threads_(threads),
+        momentum_(VecX::Zero(problem.num_velocities())),
+        v_(momentum_) {}
 
   /// law_map of the island with velocities M^-1 (f + H r) [m/s], as `measure` has it.
   double law_map(const PgsRows& rows, const PgsIsland& island);
@@ -27,9 +35,11 @@ class RowResidual {
 
  private:
   void set_velocities(const PgsRows& rows, const PgsIsland& island);
+  double law_map_of(const PgsRows& rows, std::size_t place) const;
 
   const contact::ContactProblem& problem_;
   const contact::MassInverse& masses_;
+  int threads_;
   VecX momentum_, v_;  ///< f + H r and M^-1 of it
 };
 

@@ -114,6 +114,8 @@ TEST(Measure, SameBitsForAnyNumberOfThreads) {
     for (const NamedResidual& column : residual_columns())
       EXPECT_EQ(alone.*column.member, shared.*column.member) << column.name;
   }
+  const double worst = measure(prepared, r).law_map_m_s;
+  for (const int threads : {1, 2, 3}) EXPECT_EQ(largest_law_map(prepared, r, threads), worst) << threads;
 }
 
 TEST(Measure, AForceLimitMakesCrushingLawful) {
@@ -211,7 +213,10 @@ TEST(Measure, NaNIsNeverHidden) {
   for (const Law law : {Law::coulomb, Law::ccp, Law::pyramid, Law::pyramid_k, Law::frictionless}) {
     problem.law = law;
     EXPECT_TRUE(std::isnan(measure(problem, r).natural_map_m_s));
-    EXPECT_TRUE(law == Law::frictionless || std::isnan(measure(problem, r).law_map_m_s));
+    const double law_map = measure(problem, r).law_map_m_s;
+    EXPECT_TRUE(law == Law::frictionless || std::isnan(law_map));
+    const double alone = largest_law_map(PreparedProblem(problem), r);
+    EXPECT_TRUE(std::isnan(law_map) ? std::isnan(alone) : alone == law_map);
   }
 }
 
