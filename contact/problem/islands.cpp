@@ -35,6 +35,11 @@ void select_rows(const ContactProblem& problem, const std::vector<int>& contacts
   const auto placed = [&](int k) { return k < 0 ? -1 : place[k]; };
   const auto rows = problem.jacobian_data.begin();
   part.w.resize(row_of(contacts.size()));
+  part.pairs.reserve(contacts.size());
+  part.jacobian_offset.reserve(contacts.size() + 1);
+  std::size_t coefficients = 0;
+  for (const int c : contacts) coefficients += problem.jacobian_offset[c + 1] - problem.jacobian_offset[c];
+  part.jacobian_data.reserve(coefficients);
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const std::size_t c = contacts[i];
     part.w.segment<3>(row_of(i)) = problem.w.segment<3>(row_of(c));

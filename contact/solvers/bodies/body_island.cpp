@@ -30,11 +30,11 @@ std::vector<Place> place_blocks(const contact::ContactProblem& problem) {
   return places;
 }
 
-/// Adds the scaled rows of one body to the sides of its contact, which begin at `first`.
+/// Adds the scaled rows of one body to the sides of its contact, which begin at `first`. `scaled`: room.
 void add_side(const contact::MassInverse& masses, int block, const Place& place,
-              const contact::ContactProblem::ConstJacobian& jacobian, std::size_t first, std::vector<int>& nodes,
-              std::vector<NodeRows>& rows) {
-  std::vector<double> scaled(static_cast<std::size_t>(place.size));
+              const contact::ContactProblem::ConstJacobian& jacobian, std::size_t first, std::vector<double>& scaled,
+              std::vector<int>& nodes, std::vector<NodeRows>& rows) {
+  scaled.resize(static_cast<std::size_t>(place.size));
   for (int node = place.first_node; node < place.first_node + place.num_nodes(); ++node)
     if (std::find(nodes.begin() + static_cast<std::ptrdiff_t>(first), nodes.end(), node) == nodes.end())
       nodes.push_back(node);
@@ -77,11 +77,18 @@ BodyIsland::BodyIsland(const contact::PreparedProblem& island, int threads)
     }
   }
   num_nodes_ = static_cast<int>(free_.size());
+  const std::size_t usual_sides = 2 * problem.pairs.size();
+  side_start_.reserve(problem.pairs.size() + 1);
+  nodes_.reserve(usual_sides);
+  rows_.reserve(usual_sides);
+  std::vector<double> room;
   for (int c = 0; c < problem.num_contacts(); ++c) {
     const auto& pair = problem.pairs[c];
     const std::size_t first = nodes_.size();
-    if (pair.a >= 0) add_side(island.masses(), pair.a, places[pair.a], problem.jacobian_a(c), first, nodes_, rows_);
-    if (pair.b >= 0) add_side(island.masses(), pair.b, places[pair.b], problem.jacobian_b(c), first, nodes_, rows_);
+    if (pair.a >= 0)
+      add_side(island.masses(), pair.a, places[pair.a], problem.jacobian_a(c), first, room, nodes_, rows_);
+    if (pair.b >= 0)
+      add_side(island.masses(), pair.b, places[pair.b], problem.jacobian_b(c), first, room, nodes_, rows_);
     side_start_.push_back(static_cast<int>(nodes_.size()));
   }
   list_entries();
