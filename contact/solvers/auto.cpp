@@ -229,8 +229,9 @@ LeftByBodies solve_each_on_bodies(const contact::ContactProblem& problem, std::v
       for (std::size_t i = 0; i < islands[k].size(); ++i)
         whole.r.segment<3>(contact::row_of(islands[k][i])) = found->r.segment<3>(contact::row_of(i));
       if (found->interior > 0) log.add("interior point", "iterations", found->interior);
+      if (found->sweeps > 0) log.add("sweeps after it", "sweeps", found->sweeps);
       if (found->newton > 0) log.add("newton on bodies", "factorisations", found->newton);
-      most = std::max(most, found->interior + found->newton);
+      most = std::max(most, found->interior + found->sweeps + found->newton);
       merge_history(found->history, history);
       if (found->has_converged) continue;
     }

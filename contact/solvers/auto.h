@@ -8,9 +8,10 @@
 ///      sweeps with momentum, as long as they promise to suffice (SweepSettings::horizon). Of islands of 200 contacts
 ///      or more the contacts that close climb on alone where they fall apart (closing_contacts.h), and all others after
 ///      them
-///   2  for laws with cones and problems with bodies: interior point, then newton, on the bodies (body_ladder.h),
-///      without W; in jams, with mass ratios and force limits this is what solves. It is the last rung of islands of
-///      1500 contacts or more that the bodies take: the next ones find the same steps from W, at four times the cost
+///   2  for laws with cones and problems with bodies: interior point, then newton or, for loose tolerances, sweeps, on
+///      the bodies (body_ladder.h), without W; in jams, with mass ratios and force limits this is what solves. It is
+///      the last rung of islands of 1500 contacts or more that the bodies take: the next ones find the same steps from
+///      W, at four times the cost
 ///   3  from cold and for laws that admm knows, where the sweeps of rung 1 left more than a hundredth of the residual
 ///      of no impulses and three contacts in ten stick, as in tall stacks: admm from no impulses, one factorisation, as
 ///      long as two iterations leave less than a fifth

@@ -11,6 +11,7 @@
 #include "contact/solvers/bodies/body_system.h"
 #include "contact/solvers/bodies/interior_on_bodies.h"
 #include "contact/solvers/newton.h"
+#include "contact/solvers/nsgs.h"
 
 namespace nilas::solvers {
 
@@ -40,7 +41,18 @@ constexpr double k_least_of_interior = 5e-7;
 constexpr double k_most_lagged_friction = 0.2;
 constexpr double k_loose = 1e-5;
 constexpr InteriorSettings k_lagged{.inside = 1};
-constexpr InteriorSettings k_first_lagged{.slope_share = 0.7, .patience = 20, .lagged_patience = 4};
+constexpr InteriorSettings k_first_lagged{.slope_share = 0.6, .patience = 20, .lagged_patience = 3};
+/// The way after it. From impulses that are off it takes some ten iterations less than from none.
+constexpr InteriorSettings k_from_start{Shift::differentiated, 0.7, 10, 20};
+
+/// To a loose tolerance sweeps with momentum finish what the interior point began: it has built up the pressure of the
+/// jam, and what is left is off at single contacts. They are tried where it reached these multiples of the tolerance in
+/// turn, and where it ended within k_swept_from times the tolerance. k_most_sweeps cost about three iterations; they
+/// end sooner where they do not promise to suffice. Begun farther off, they would reach the tolerance with the pressure
+/// off.
+constexpr double k_sweep_goals[] = {4, 2, 1};
+constexpr double k_swept_from = 10;
+constexpr int k_most_sweeps = 40;
 
 /// Newton seldom finds the solution from a larger share of the residual of no impulses than this [-].
 constexpr double k_near = 0.1;
@@ -58,17 +70,23 @@ constexpr InteriorSettings k_with_slope[] = {{Shift::differentiated, 0.7, 1, 20}
 /// whatever its share. A held shift takes two to four times the iterations of a share that leads there.
 constexpr InteriorSettings k_held{Shift::held, 0, 1, 12};
 
-std::vector<InteriorSettings> ways_for(const contact::ContactProblem& problem, double tolerance) {
+/// A way from the start, or from no impulses. Where the shift is not lagged, a start that is off seldom saves anything.
+struct Way {
+  InteriorSettings settings;
+  bool has_start = false;
+};
+
+std::vector<Way> ways_for(const contact::ContactProblem& problem, double tolerance) {
   const bool is_convex = problem.law != Law::coulomb;
   const auto is_slight = [](double mu) { return mu <= k_most_lagged_friction; };
-  std::vector<InteriorSettings> ways;
+  std::vector<Way> ways;
   if (is_convex || std::all_of(problem.mu.begin(), problem.mu.end(), is_slight))
-    ways.push_back(k_lagged);
+    ways.push_back({k_lagged, true});
   else if (tolerance >= k_loose)
-    ways.push_back(k_first_lagged);
+    ways = {{k_first_lagged, true}, {k_from_start, true}};
   if (is_convex) return ways;
-  ways.insert(ways.end(), std::begin(k_with_slope), std::end(k_with_slope));
-  ways.push_back(k_held);
+  for (const InteriorSettings& way : k_with_slope) ways.push_back({way});
+  ways.push_back({k_held});
   return ways;
 }
 
@@ -79,10 +97,10 @@ class BodyClimb {
             const contact::SolverSettings& settings, const Budget& budget)
       : island_(island),
         bodies_(bodies),
+        plan_(plan),
         settings_(settings),
         budget_(budget),
         interior_(island, bodies, plan),
-        system_(island, bodies, plan),
         start_(start) {
     best_.r = start_;
     best_.law_map_m_s = contact::largest_law_map(island, start_, bodies.threads());
@@ -91,12 +109,10 @@ class BodyClimb {
   }
 
   BodyOutcome run() {
-    const std::vector<InteriorSettings> ways = ways_for(island_.problem(), settings_.tolerance);
+    const std::vector<Way> ways = ways_for(island_.problem(), settings_.tolerance);
     for (std::size_t k = 0; k < ways.size(); ++k) {
-      // where the shift is not lagged, impulses that are off are no better a start than none
-      const bool is_lagged = ways[k].shift == Shift::lagged;
-      const bool is_last = k + 1 == ways.size() || ways[k + 1].shift == Shift::held;
-      approach(is_lagged ? start_ : VecX(VecX::Zero(start_.size())), ways[k], is_last);
+      const bool is_last = k + 1 == ways.size() || ways[k + 1].settings.shift == Shift::held;
+      approach(ways[k].has_start ? start_ : VecX(VecX::Zero(start_.size())), ways[k].settings, is_last);
     }
     best_.has_converged = best_.law_map_m_s <= settings_.tolerance;
     return std::move(best_);
@@ -104,9 +120,9 @@ class BodyClimb {
 
  private:
   bool is_done() const {
-    return best_.law_map_m_s <= settings_.tolerance || !budget_.allows(best_.interior + best_.newton);
+    return best_.law_map_m_s <= settings_.tolerance || !budget_.allows(best_.interior + best_.sweeps + best_.newton);
   }
-  Budget left() const { return budget_.after(best_.interior + best_.newton); }
+  Budget left() const { return budget_.after(best_.interior + best_.sweeps + best_.newton); }
 
   /// Returns the residual [m/s].
   double keep_better(const VecX& r) {
@@ -126,6 +142,7 @@ class BodyClimb {
   /// another way of its kind is left, and the interior point where the impulses are near already and nothing failed
   /// from there.
   void approach(const VecX& start, const InteriorSettings& way, bool is_last) {
+    if (settings_.tolerance >= k_loose) return approach_loosely(start, way, is_last);
     bool is_begun = false, arrives = true;
     const bool goes_all_the_way = way.shift == Shift::lagged && settings_.tolerance >= k_least_of_interior &&
                                   island_.problem().num_contacts() >= k_large_on_bodies;
@@ -148,11 +165,44 @@ class BodyClimb {
     has_failed_ = true;
   }
 
+  /// The same for a loose tolerance, with sweeps in place of Newton, which is left to the last way of its kind.
+  void approach_loosely(const VecX& start, const InteriorSettings& way, bool is_last) {
+    const double tolerance = settings_.tolerance;
+    InteriorSettings settings = way;
+    settings.ends_when_stuck = true;
+    VecX near = best_.r;
+    double reached = best_.law_map_m_s;
+    bool is_begun = false;
+    for (const double share : k_sweep_goals) {
+      if (is_done()) return;
+      auto found = is_begun ? interior_.go_on(share * tolerance, left())
+                            : interior_.run(start, share * tolerance, left(), settings);
+      is_begun = true;
+      best_.interior += found.iterations;
+      note(found.history);
+      reached = keep_better(found.r);
+      near = std::move(found.r);
+      if (!is_done() && reached <= k_swept_from * tolerance) sweep(near);
+      if (!(reached <= share * tolerance)) break;
+    }
+    if (!is_done() && is_last && reached < k_near * still_) finish(near, k_handovers[0].factorisations);
+    has_failed_ = true;
+  }
+
+  void sweep(const VecX& near) {
+    const NsgsSettings settings{.shared = settings_, .has_momentum = true, .horizon = k_most_sweeps};
+    const auto found = NsgsSolver(settings).solve(island_, near, left().capped(k_most_sweeps));
+    best_.sweeps += found.iterations;
+    note(found.history);
+    keep_better(found.r);
+  }
+
   void finish(const VecX& near, int factorisations) {
+    if (!system_) system_.emplace(island_, bodies_, plan_);
     NewtonSettings settings{.shared = settings_};
     settings.least_weight = k_least_weight_on_bodies;
     settings.max_factorisations = factorisations;
-    const auto found = newton_on(system_, near, settings, left());
+    const auto found = newton_on(*system_, near, settings, left());
     best_.newton += found.iterations;
     note(found.history);
     keep_better(found.r);
@@ -160,10 +210,11 @@ class BodyClimb {
 
   const contact::PreparedProblem& island_;
   const BodyIsland& bodies_;
+  const NodePlan& plan_;
   const contact::SolverSettings& settings_;
   const Budget& budget_;
   InteriorOnBodies interior_;
-  BodySystem system_;
+  std::optional<BodySystem> system_;  ///< made when first needed
   const VecX& start_;
   double still_ = 0;         ///< residual of no impulses [m/s]
   bool has_failed_ = false;  ///< a way was tried before

@@ -1,5 +1,6 @@
 #pragma once
-/// The rungs of auto that work on the bodies of one island: interior point, then Newton from where it ends.
+/// The rungs of auto that work on the bodies of one island: interior point, then Newton from where it ends, or
+/// sweeps where the tolerance is loose.
 #include <optional>
 
 #include "contact/problem/prepared_problem.h"
@@ -15,6 +16,7 @@ struct BodyOutcome {
   VecX r;                       ///< the best impulses, those given included
   double law_map_m_s = 0;       ///< their residual
   int interior = 0;             ///< iterations of the interior point
+  int sweeps = 0;               ///< of nsgs from where the interior point ended
   int newton = 0;               ///< factorisations of Newton
   std::vector<double> history;  ///< residual after each of them, when asked for [m/s]
   bool has_converged = false;

@@ -20,6 +20,10 @@ constexpr double k_least_centring = 1e-3;
 /// A cone cut at its apex has no inside: limits count as at least this share of the largest impulse to stop a contact.
 constexpr double k_least_limit = 1e-10;
 
+/// So many steps in a row that are shorter than this tell that a run is stuck: longer ones hardly ever follow.
+constexpr int k_stuck_steps = 4;
+constexpr double k_stuck = 0.05;
+
 std::vector<double> friction_of(const contact::ContactProblem& problem) {
   if (problem.law == Law::frictionless) return std::vector<double>(problem.mu.size(), 0.0);
   return problem.mu;
@@ -390,7 +394,7 @@ InteriorOnBodies::Outcome InteriorOnBodies::iterate(double tolerance, const Budg
   Direction d(count_, capped_.size(), z_.size());
   const auto pairs = static_cast<double>(count_ + capped_.size());
   double marked = infinity;
-  int marked_at = 0;
+  int marked_at = 0, short_steps = 0;
   while (true) {
     const double map = find_map();
     if (best.iterations > 0) best.history.push_back(map);
@@ -424,7 +428,10 @@ InteriorOnBodies::Outcome InteriorOnBodies::iterate(double tolerance, const Budg
     const double target = std::clamp(share * share * share, k_least_centring, 1.0) * before / pairs;
     aim(d, target);
     find_direction(d);
-    move_by(d, k_share_to_boundary * longest(d));
+    const double step = longest(d);
+    move_by(d, k_share_to_boundary * step);
+    short_steps = step < k_stuck ? short_steps + 1 : 0;
+    if (settings_.ends_when_stuck && short_steps == k_stuck_steps) break;
   }
   return best;
 }

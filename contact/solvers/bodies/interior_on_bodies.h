@@ -49,6 +49,7 @@ struct InteriorSettings {
   double inside = 0.25;     ///< the first iterate lies inside the cones by this share of the start's residual
   int patience = 8;         ///< iterations without the residual halving that end the run, or a round of a held shift
   int lagged_patience = 0;  ///< of a lagged shift, after which the run goes on with the share of the slope; 0: none
+  bool ends_when_stuck = false;  ///< the run ends as soon as its steps have become too short to lead anywhere
 };
 
 class InteriorOnBodies {
