@@ -31,6 +31,10 @@ constexpr double k_warm_weight = 1e-5;
 constexpr double k_cold_weight = 1e-3;
 constexpr double k_wary_weight = 1e-2;
 
+/// Shares of the iterations left that rungs take at most, so that the rungs after them have their turn [-]: sweeps,
+/// newton after them, and the continuation in friction.
+constexpr double k_sweeps_share = 0.25, k_wary_share = 0.5, k_path_share = 0.7;
+
 /// The work of the rungs, for the message.
 class Log {
  public:
@@ -86,7 +90,12 @@ struct Height {
   bool goes_on() const {
     return best.status != contact::SolveStatus::converged && !is_hopeless && budget.allows(best.iterations);
   }
-  Budget stage(int most_iterations) const { return budget.after(best.iterations).capped(most_iterations); }
+  Budget stage(int most_iterations) const { return left().capped(most_iterations); }
+  Budget left() const { return budget.after(best.iterations); }
+  /// At least one iteration.
+  int share_of_left(double share) const {
+    return std::max(1, static_cast<int>(share * static_cast<double>(left().iterations())));
+  }
 
   /// Keeps the impulses of a rung where they are no worse. A rung that fails does not end the climb, unless no other
   /// rung could solve the island.
@@ -143,7 +152,7 @@ void follow_friction(Height& at) {
   settings.plunge = settings.fall = 0.1;  // a slower fall, good in jams, loses the path in piles of spheres
   settings.shared.keep_history = false;   // its history would be of other problems than this one
   at.take("friction continuation", "iterations",
-          continue_in_friction(at.island, settings, at.stage(at.budget.iterations())));
+          continue_in_friction(at.island, settings, at.stage(at.share_of_left(k_path_share))));
 }
 
 void interior_point(Height& at) {
@@ -172,8 +181,9 @@ contact::ContactSolution climb(const contact::LocalProblem& island, const VecX& 
   if (!start.swept && at.goes_on()) sweep("nsgs", settings.first_sweeps, at);
   if (start.cold && knows_cones && at.goes_on() && is_stiff(at)) alternate(at);
   if (at.goes_on()) newton("newton", first_weight, settings.first_factorisations, at);
-  if (at.goes_on()) sweep("more nsgs", settings.more_sweeps, at);
-  if (at.goes_on()) newton("wary newton", k_wary_weight, settings.more_factorisations, at);
+  if (at.goes_on()) sweep("more nsgs", std::min(settings.more_sweeps, at.share_of_left(k_sweeps_share)), at);
+  if (at.goes_on())
+    newton("wary newton", k_wary_weight, std::min(settings.more_factorisations, at.share_of_left(k_wary_share)), at);
   if (at.goes_on() && island.law != Law::frictionless) follow_friction(at);
   if (at.goes_on() && knows_cones) interior_point(at);
   if (at.goes_on() && knows_cones) newton("last newton", k_cold_weight, settings.first_factorisations, at);
@@ -197,9 +207,15 @@ struct LeftByBodies {
   bool has_jam = false;                   ///< one of more contacts than these rungs take
 };
 
+/// What the bodies may take of a budget for an island of so many contacts.
+Budget of_bodies(const Budget& budget, std::size_t contacts, const AutoSettings& settings) {
+  if (static_cast<int>(contacts) >= settings.jam_contacts) return budget;
+  return budget.capped(std::max(budget.iterations() - settings.first_factorisations, settings.body_iterations));
+}
+
 /// Solves islands on their bodies where that can be, the smallest first, so that the hardest is left when time runs
-/// out. Each has the whole budget of iterations. The better impulses, the iterations of the island that took most and
-/// the history go into `whole`.
+/// out. Each has the budget of_bodies, whatever the others took. The better impulses, the iterations of the island that
+/// took most and the history go into `whole`.
 LeftByBodies solve_each_on_bodies(const contact::ContactProblem& problem, std::vector<std::vector<int>> islands,
                                   const AutoSettings& settings, const Budget& budget, Log& log,
                                   contact::ContactSolution& whole) {
@@ -210,8 +226,8 @@ LeftByBodies solve_each_on_bodies(const contact::ContactProblem& problem, std::v
     const VecX r = impulses_of(whole.r, island);
     if (!budget.allows(0) || !r.allFinite()) return;
     const contact::ContactProblem part_problem = contact::select(problem, island);
-    outcomes[static_cast<std::size_t>(k)] =
-        solve_on_bodies(contact::PreparedProblem(part_problem), r, settings.shared, budget);
+    outcomes[static_cast<std::size_t>(k)] = solve_on_bodies(contact::PreparedProblem(part_problem), r, settings.shared,
+                                                            of_bodies(budget, island.size(), settings));
   };
   const auto first_large = std::partition_point(islands.begin(), islands.end(), [](const auto& island) {
     return static_cast<int>(island.size()) < k_large_on_bodies;

@@ -12,11 +12,17 @@
 ///      the bodies (body_ladder.h), without W; in jams, with mass ratios and force limits this is what solves. It is
 ///      the last rung of islands of 1500 contacts or more that the bodies take: the next ones find the same steps from
 ///      W, at four times the cost
+///   2  for laws with cones and problems with bodies: interior point, then newton, on the bodies (body_ladder.h),
+///      without W; in jams, with mass ratios and force limits this is what solves. It is the last rung of islands of
+///      1500 contacts or more that the bodies take: the next ones find the same steps from W, at four times the cost.
+///      Smaller islands leave rung 4 its 200 factorisations, as long as the bodies have 600 iterations: where force
+///      limits differ by many decades, newton on W reaches residuals that newton on the bodies does not
 ///   3  from cold and for laws that admm knows, where the sweeps of rung 1 left more than a hundredth of the residual
 ///      of no impulses and three contacts in ten stick, as in tall stacks: admm from no impulses, one factorisation, as
 ///      long as two iterations leave less than a fifth
 ///   4  newton: little proximal weight for a local problem with a guess, else more
-///   5  nsgs, 500 sweeps from the best so far, then newton with more weight
+///   5  nsgs, 500 sweeps from the best so far, but at most a quarter of the iterations left; then newton with more
+///      weight, and at most half of what is left
 ///   6  continuation in friction (continuation.h), for laws with friction
 ///   7  ipm (laws coulomb, ccp, frictionless), then newton from there
 ///
@@ -41,6 +47,7 @@ struct AutoSettings {
   double stiff_share = 0.01;      ///< share of the residual of no impulses above which an island goes to rung 3 ...
   double sticking_share = 0.3;    ///< ... where at least this share of its contacts sticks
   double stiff_least_fall = 0.2;  ///< AdmmSettings::least_fall there
+  int body_iterations = 600;      ///< iterations up to which rung 2 leaves none to rung 4
   int more_sweeps = 500;
   int first_factorisations = 200;  ///< factorisations of newton in rung 4 and after ipm
   int more_factorisations = 400;   ///< factorisations of newton in rung 5

@@ -75,6 +75,26 @@ TEST(Auto, LeavesLargeIslandsToTheBodies) {
     EXPECT_EQ(found.message.find(rung), std::string::npos) << found.message;
 }
 
+/// No solve reaches a tolerance of zero: sweeps with it go on to their limit, and Newton for long. Each leaves
+/// iterations to the rungs after it.
+TEST(Auto, LeavesIterationsToTheRungsAfterSweeps) {
+  const contact::LocalProblem raft = contact::reduce(test::raft(6, 0.3, 1, 1));
+  const contact::ContactSolution found =
+      AutoSolver({.shared = {.tolerance = 0, .max_iterations = 500}}).solve(raft, VecX());
+  for (const char* rung : {"more nsgs", "wary newton", "friction continuation", "ipm"})
+    EXPECT_NE(found.message.find(rung), std::string::npos) << rung << ": " << found.message;
+  EXPECT_LE(found.iterations, 500);
+}
+
+/// Of 250 iterations 20 are sweeps and 200 those of newton on W, so the bodies have 30: the interior point takes 6, and
+/// newton the other 24.
+TEST(Auto, LeavesIterationsToNewtonAfterTheBodies) {
+  const contact::ContactProblem stack = test::box_stack(std::vector<double>(12, 5.0), 0.4);
+  const AutoSettings settings{.shared = {.tolerance = 0, .max_iterations = 250}, .body_iterations = 20};
+  const std::string used = AutoSolver(settings).solve(stack, {}).message;
+  EXPECT_NE(used.find("newton on bodies 24 factorisations, newton 200 "), std::string::npos) << used;
+}
+
 /// From 1e-5 m/s on the interior point reaches 1e-6 m/s itself in the time of a few factorisations of Newton. Tighter
 /// tolerances need Newton.
 TEST(Auto, LeavesLargeIslandsToTheInteriorPointAtLooseTolerances) {
