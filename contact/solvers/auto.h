@@ -11,12 +11,9 @@
 ///   2  for laws with cones and problems with bodies: interior point, then newton or, for loose tolerances, sweeps, on
 ///      the bodies (body_ladder.h), without W; in jams, with mass ratios and force limits this is what solves. It is
 ///      the last rung of islands of 1500 contacts or more that the bodies take: the next ones find the same steps from
-///      W, at four times the cost
-///   2  for laws with cones and problems with bodies: interior point, then newton, on the bodies (body_ladder.h),
-///      without W; in jams, with mass ratios and force limits this is what solves. It is the last rung of islands of
-///      1500 contacts or more that the bodies take: the next ones find the same steps from W, at four times the cost.
-///      Smaller islands leave rung 4 its 200 factorisations, as long as the bodies have 600 iterations: where force
-///      limits differ by many decades, newton on W reaches residuals that newton on the bodies does not
+///      W, at four times the cost. Smaller islands leave rung 4 its 200 factorisations, as long as the bodies have 600
+///      iterations: where force limits differ by many decades, newton on W reaches residuals that newton on the bodies
+///      does not
 ///   3  from cold and for laws that admm knows, where the sweeps of rung 1 left more than a hundredth of the residual
 ///      of no impulses and three contacts in ten stick, as in tall stacks: admm from no impulses, one factorisation, as
 ///      long as two iterations leave less than a fifth

@@ -42,7 +42,7 @@ constexpr double k_most_lagged_friction = 0.2;
 constexpr double k_loose = 1e-5;
 constexpr InteriorSettings k_lagged{.inside = 1};
 constexpr InteriorSettings k_first_lagged{.slope_share = 0.6, .patience = 20, .lagged_patience = 3};
-/// The way after it. From impulses that are off it takes some ten iterations less than from none.
+/// The way after it. From impulses that are off it takes up to ten iterations less than from none.
 constexpr InteriorSettings k_from_start{Shift::differentiated, 0.7, 10, 20};
 
 /// To a loose tolerance sweeps with momentum finish what the interior point began: it has built up the pressure of the
