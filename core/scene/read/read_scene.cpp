@@ -18,11 +18,9 @@
 
 namespace nilas::scene {
 
-static std::string read_text(const std::filesystem::path& file) {
-  std::string text = file_bytes(file);
+static void drop_byte_order_mark(std::string& text) {
   const std::string byte_order_mark = "\xEF\xBB\xBF";
   if (text.rfind(byte_order_mark, 0) == 0) text.erase(0, byte_order_mark.size());
-  return text;
 }
 
 static void check_root_name(SceneElement& root, std::vector<Fault>& faults) {
@@ -64,13 +62,18 @@ static std::string fingerprint(SceneElement root) {
 }
 
 Scene read_scene(const std::filesystem::path& file, const Overrides& overrides, double scale) {
-  NILAS_DEMAND(scale > 0);
-  std::vector<Fault> faults;
-  SceneNotes notes;
   std::error_code ignored;
   if (const std::string moved = moved_scene(file); !moved.empty() && !std::filesystem::exists(file, ignored))
     throw FileError("cannot open scene file " + file.string() + moved);
-  SceneElement root = parse_document(read_text(file), file.string());
+  return read_scene_text(file_bytes(file), file, overrides, scale);
+}
+
+Scene read_scene_text(std::string text, const std::filesystem::path& file, const Overrides& overrides, double scale) {
+  NILAS_DEMAND(scale > 0);
+  std::vector<Fault> faults;
+  SceneNotes notes;
+  drop_byte_order_mark(text);
+  SceneElement root = parse_document(text, file.string());
   check_root_name(root, faults);
   include_mooring(root, file, faults);
   apply_overrides(root, overrides, faults);

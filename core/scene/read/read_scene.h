@@ -20,4 +20,8 @@ std::pair<std::string, std::string> split_override(const std::string& text);
 /// when the file cannot be opened.
 Scene read_scene(const std::filesystem::path& file, const Overrides& overrides = {}, double scale = 1);
 
+/// The same from a text. `file`: the name of the text in messages, to whose folder its paths are relative.
+Scene read_scene_text(std::string text, const std::filesystem::path& file, const Overrides& overrides = {},
+                      double scale = 1);
+
 }  // namespace nilas::scene
