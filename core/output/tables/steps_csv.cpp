@@ -1,13 +1,13 @@
 #include "core/output/tables/steps_csv.h"
 
+#include <cmath>
+
 #include "contact/measure/measure.h"
 #include "core/base/error.h"
 
 namespace nilas::output {
 
-namespace {
-
-std::vector<std::string> column_names(const sim::RunInfo& info) {
+std::vector<std::string> step_columns(const sim::RunInfo& info) {
   std::vector<std::string> names{"time_s", "floes", "contacts", "islands", "iterations", "status"};
   for (const auto& residual : contact::residual_columns()) names.emplace_back(residual.name);
   for (const char* name : {"penetration_max_m", "penetration_mean_m"}) names.emplace_back(name);
@@ -26,41 +26,48 @@ std::vector<std::string> column_names(const sim::RunInfo& info) {
   return names;
 }
 
-}  // namespace
+/// The status stands behind the time and as many counts, which are written without an exponent.
+constexpr std::size_t k_counts_before_status = 4;
+
+static void add_ledger(const sim::RunInfo& info, const sim::Ledger& ledger, std::vector<double>& numbers) {
+  NILAS_DEMAND(ledger.works.size() == info.work_names.size());
+  numbers.insert(numbers.end(), {ledger.kinetic, ledger.potential});
+  if (info.elastic_contacts) numbers.push_back(ledger.elastic);
+  numbers.insert(numbers.end(), ledger.works.begin(), ledger.works.end());
+  if (info.elastic_contacts) numbers.push_back(ledger.damping);
+  numbers.insert(numbers.end(), {ledger.friction, ledger.impact, ledger.stabilisation, ledger.fracture, ledger.crushing,
+                                 ledger.integrator, ledger.imbalance});
+}
+
+std::vector<double> step_numbers(const sim::RunInfo& info, const sim::StepRecord& record) {
+  std::vector<double> numbers{record.t};
+  for (const int count : {record.floes, record.contacts, record.islands, record.iterations})
+    numbers.push_back(static_cast<double>(count));
+  for (const auto& residual : contact::residual_columns()) numbers.push_back(record.residuals.*residual.member);
+  numbers.insert(numbers.end(), {record.penetration_max, record.penetration_mean});
+  NILAS_DEMAND(record.module_values.size() == info.module_columns.size());
+  numbers.insert(numbers.end(), record.module_values.begin(), record.module_values.end());
+  add_ledger(info, record.ledger, numbers);
+  numbers.insert(numbers.end(), {record.momentum_imbalance, record.angular_momentum_imbalance, record.momentum_scale,
+                                 record.angular_momentum_scale});
+  numbers.insert(numbers.end(), record.ms.begin(), record.ms.end());
+  return numbers;
+}
 
 StepsCsv::StepsCsv(const std::filesystem::path& path, const sim::RunInfo& info, std::optional<std::int64_t> keep)
-    : file_(path, "", keep),
-      num_works_(info.work_names.size()),
-      elastic_(info.elastic_contacts),
-      num_module_values_(info.module_columns.size()) {
-  if (!keep) file_.append(csv_header(column_names(info)));
+    : file_(path, "", keep), info_(info) {
+  if (!keep) file_.append(csv_header(step_columns(info)));
 }
 
 void StepsCsv::row(const sim::StepRecord& record) {
+  const std::vector<double> numbers = step_numbers(info_, record);
   row_.clear();
-  row_.shortest(record.t).integer(record.floes).integer(record.contacts).integer(record.islands);
-  row_.integer(record.iterations).text(contact::to_string(record.status));
-  for (const auto& residual : contact::residual_columns()) row_.shortest(record.residuals.*residual.member);
-  row_.shortest(record.penetration_max).shortest(record.penetration_mean);
-  NILAS_DEMAND(record.module_values.size() == num_module_values_);
-  for (const double value : record.module_values) row_.shortest(value);
-  add_ledger(record.ledger);
-  row_.shortest(record.momentum_imbalance).shortest(record.angular_momentum_imbalance);
-  row_.shortest(record.momentum_scale).shortest(record.angular_momentum_scale);
-  for (const double ms : record.ms) row_.shortest(ms);
+  row_.shortest(numbers[0]);
+  for (std::size_t k = 1; k <= k_counts_before_status; ++k) row_.integer(std::lround(numbers[k]));
+  row_.text(contact::to_string(record.status));
+  for (std::size_t k = k_counts_before_status + 1; k < numbers.size(); ++k) row_.shortest(numbers[k]);
   row_.hexadecimal(record.state_hash);
   file_.append(row_.line());
-}
-
-void StepsCsv::add_ledger(const sim::Ledger& ledger) {
-  NILAS_DEMAND(ledger.works.size() == num_works_);
-  row_.shortest(ledger.kinetic).shortest(ledger.potential);
-  if (elastic_) row_.shortest(ledger.elastic);
-  for (const double work : ledger.works) row_.shortest(work);
-  if (elastic_) row_.shortest(ledger.damping);
-  for (const double loss : {ledger.friction, ledger.impact, ledger.stabilisation, ledger.fracture, ledger.crushing,
-                            ledger.integrator, ledger.imbalance})
-    row_.shortest(loss);
 }
 
 }  // namespace nilas::output

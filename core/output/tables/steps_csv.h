@@ -1,12 +1,19 @@
 #pragma once
 /// steps.csv: solution, accounts of energy and momentum, and timing of each step. Columns: docs/reference/outputs.md.
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "core/output/file/csv_row.h"
 #include "core/output/file/output_file.h"
 #include "core/sim/account/step_record.h"
 
 namespace nilas::output {
+
+/// Names of the columns. `status` is a word and `state_hash`, the last, hexadecimal digits; all others are numbers.
+std::vector<std::string> step_columns(const sim::RunInfo& info);
+/// The numbers of a step in the order of those columns.
+std::vector<double> step_numbers(const sim::RunInfo& info, const sim::StepRecord& record);
 
 class StepsCsv {
  public:
@@ -18,13 +25,9 @@ class StepsCsv {
   const OutputFile& file() const { return file_; }
 
  private:
-  void add_ledger(const sim::Ledger& ledger);
-
   OutputFile file_;
   CsvRow row_;
-  std::size_t num_works_;
-  bool elastic_;
-  std::size_t num_module_values_;
+  sim::RunInfo info_;
 };
 
 }  // namespace nilas::output
