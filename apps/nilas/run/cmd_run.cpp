@@ -21,7 +21,9 @@
 #include "core/bodies/module.h"
 #include "core/output/run/claim_folder.h"
 #include "core/output/run/closing_account.h"
+#include "core/output/run/program_versions.h"
 #include "core/output/run/run_folder.h"
+#include "core/output/run/simulated_totals.h"
 #include "core/output/text/console.h"
 #include "core/output/text/phase_progress.h"
 #include "core/sim/simulation.h"
@@ -107,10 +109,7 @@ class Run {
                    ending.message);
     warnings_.summarise();
     output::SummaryInput input = summary_input(ending, wall, processor);
-    input.brash_mass = simulation.total(bodies::k_brash_mass);
-    input.crushed_mass = simulation.total(bodies::k_crushed_mass);
-    input.extruded_mass = simulation.total(bodies::k_extruded_mass);
-    input.figures = simulation.figures();
+    output::add_totals(simulation, input);
     if (twins_) input.twins = twins_->statistics(folder_.statistics().window());
     const auto twins = input.twins;
     input.ice_load = folder_.statistics().ice_load(twins ? &*twins : nullptr);
@@ -336,7 +335,7 @@ class Run {
     input.seed = scene_.seed;
     input.threads = options_.threads;
     input.machine = system_text();
-    input.versions = program_versions();
+    input.versions = output::program_versions();
     return input;
   }
 
