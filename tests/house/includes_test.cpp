@@ -1,7 +1,7 @@
 /// Rules about folders that a file's includes show. The top folders depend on each other in one direction only:
 ///   apps -> core/output -> core/sim -> fracture -> contact -> core/{bodies, hdf5};
 ///   core/sim -> {hydro, core/vessel, core/hull, core/field, core/scene}; apps -> core/mesh -> core/geometry ->
-///   core/base. Choices and defaults that the scene and the modules share lie in core/choices, above core/base.
+///   core/base; python -> nilas -> core/output. Choices and defaults that the scene and the modules share lie in core/choices, above core/base.
 /// No two folders at any depth include each other, directly or indirectly, and no folder is crowded.
 #include <gtest/gtest.h>
 
@@ -44,7 +44,7 @@ const std::map<std::string, Rooms>& allowed() {
       {"core/geometry", base}, {"core/bodies", geometry},       {"core/mesh", bodies},   {"core/scene", bodies},
       {"core/hull", bodies},   {"core/vessel", solving},        {"core/field", bodies},  {"contact", contact},
       {"hydro", water},        {"fracture", fracture},          {"core/sim", sim},       {"core/output", output},
-      {"apps", apps}};
+      {"apps", apps},          {"nilas", joined(output, {"core/output"})}, {"python", {"nilas"}}};
   return table;
 }
 
@@ -78,7 +78,7 @@ bool includes_angle(const fs::path& file, const std::string& start) {
   return false;
 }
 
-const Rooms k_product{"core", "contact", "hydro", "fracture", "apps"};
+const Rooms k_product{"core", "contact", "hydro", "fracture", "apps", "nilas", "python"};
 
 /// Headers and sources below these top folders, relative to the repository.
 std::vector<std::string> sources(const Rooms& tops) {

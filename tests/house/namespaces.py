@@ -19,6 +19,8 @@ ROOMS = {
     "hydro": "nilas::hydro",
     "fracture": "nilas::fracture",
     "apps/nilas": "nilas::commands",
+    "nilas": "nilas",
+    "python": "nilas::python",
 }
 BLOCK = re.compile(r"^namespace (nilas[\w:]*) \{\n(.*?)^\}  // namespace nilas", re.M | re.S)
 NAMED_ONLY = re.compile(r"(?:\s*(?:struct|class) \w+;)*\s*")
@@ -41,7 +43,7 @@ def tests_without_a_name():
 
 
 def faults():
-    for top in ("core", "contact", "hydro", "fracture", "apps"):
+    for top in ("core", "contact", "hydro", "fracture", "apps", "nilas", "python"):
         for file in sorted((ROOT / top).rglob("*")):
             if file.suffix not in (".h", ".cpp") or "peers" in file.parts:
                 continue

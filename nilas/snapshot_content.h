@@ -1,0 +1,16 @@
+#pragma once
+/// What a Snapshot holds.
+#include <string>
+
+#include "core/base/state.h"
+#include "nilas/simulation.h"
+
+namespace nilas {
+
+struct Snapshot::Content {
+  State state;
+  std::string fingerprint;  ///< of its scene
+  bool applied_loads = false;
+};
+
+}  // namespace nilas
