@@ -10,7 +10,7 @@
 
 namespace nilas {
 
-/// A value that replaces one of the scene, as (contact/@tolerance, 1e-8). docs/reference/cli.md describes the paths.
+/// A value that replaces one of the scene, as (contact/@tolerance, 1e-8). docs/reference/command-line.md describes --set.
 using Setting = std::pair<std::string, std::string>;
 
 class NILAS_API Scene {

@@ -20,7 +20,7 @@ import sys
 import urllib.parse
 from pathlib import Path
 
-SOURCE_FOLDERS = ("core", "contact", "hydro", "fracture", "nilas", "python", "apps", "tests")
+SOURCE_FOLDERS = ("core", "contact", "hydro", "fracture", "nilas", "python", "packaging", "apps", "tests")
 SOURCE_SUFFIXES = {".cpp", ".h", ".py", ".sh", ".txt", ".xml", ".awk"}
 # Files that the reader of a page writes.
 TO_BE_WRITTEN = {"hydro/push.cpp", "tests/contact/solvers/jacobi_test.cpp"}

@@ -1,0 +1,167 @@
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include "nilas/solve.h"
+#include "python/binding/arrays.h"
+#include "python/binding/module.h"
+
+namespace nilas::python {
+
+namespace {
+
+py::dict dict_of(const Residuals& residuals) {
+  py::dict all;
+  all["law_map_m_s"] = residuals.law_map_m_s;
+  all["natural_map_m_s"] = residuals.natural_map_m_s;
+  all["natural_map_rms_m_s"] = residuals.natural_map_rms_m_s;
+  all["ccp_map_m_s"] = residuals.ccp_map_m_s;
+  all["penetration_rate_m_s"] = residuals.penetration_rate_m_s;
+  all["complementarity_J"] = residuals.complementarity_J;
+  all["cone_violation_m_s"] = residuals.cone_violation_m_s;
+  all["slip_angle_deg"] = residuals.slip_angle_deg;
+  all["creep_m_s"] = residuals.creep_m_s;
+  all["bipotential_J"] = residuals.bipotential_J;
+  all["momentum_sqrtJ"] = residuals.momentum_sqrtJ;
+  return all;
+}
+
+/// An array with three columns: one row per contact.
+py::array_t<double> by_contact(std::vector<double> numbers) { return rows_of(std::move(numbers), 3); }
+
+Solution solved(const Problem& problem, const std::string& solver, const std::string& law, double tolerance,
+                const std::optional<Numbers>& guess, int max_iterations, double max_seconds, int threads,
+                bool history) {
+  const SolveSettings settings{solver, law, tolerance, max_iterations, max_seconds, threads, history};
+  const std::span<const double> first = guess ? span_of(*guess) : std::span<const double>();
+  const py::gil_scoped_release without_lock;
+  return solve(problem, settings, first);
+}
+
+void bind_problem(py::module_& module) {
+  py::class_<Problem>(module, "Problem",
+                      "A contact problem: M v = f + H r, u = H^T v + w, or u = W r + q in its local form. Each contact "
+                      "has a normal row and two tangential ones.")
+      .def(py::init<>(), "A problem without bodies and contacts, for add_body() and add_contact().")
+      .def_static(
+          "local",
+          [](const Numbers& W, const Numbers& q, const Numbers& mu) {
+            return Problem::local(span_of(W), span_of(q), span_of(mu));
+          },
+          py::arg("W"), py::arg("q"), py::arg("mu"),
+          "The problem u = W r + q. W: (3 nc, 3 nc) [1/kg]; q: (3 nc,) or (nc, 3) [m/s]; mu: (nc,).")
+      .def_static("read", &Problem::read, py::arg("file"), "Reads a file in FCLIB's format (HDF5).")
+      .def(
+          "add_body",
+          [](Problem& self, const Numbers& mass, const Numbers& momentum) {
+            return self.add_body(span_of(mass), span_of(momentum));
+          },
+          py::arg("mass"), py::arg("momentum"),
+          "Adds a body with n velocities and returns its index. mass: (n, n); momentum: (n,), M v without contacts.")
+      .def(
+          "add_contact",
+          [](Problem& self, int body_a, const Numbers& jacobian_a, int body_b, const Numbers& jacobian_b,
+             const Numbers& w, double mu) {
+            return self.add_contact(body_a, span_of(jacobian_a), body_b, span_of(jacobian_b), span_of(w), mu);
+          },
+          py::arg("body_a"), py::arg("jacobian_a"), py::arg("body_b"), py::arg("jacobian_b"), py::arg("w"),
+          py::arg("mu"),
+          "Adds a contact and returns its index. Body -1 does not move, and its jacobian is empty. jacobians: (3, n); "
+          "w: (3,) [m/s].")
+      .def_property_readonly("num_contacts", &Problem::num_contacts)
+      .def_property_readonly("num_velocities", &Problem::num_velocities, "0 in the local form.")
+      .def_property_readonly("is_local", &Problem::is_local)
+      .def_property_readonly(
+          "mu", [](const Problem& self) { return array_of(self.mu()); }, "Coefficients of friction, (nc,).")
+      .def_property_readonly(
+          "W",
+          [](const Problem& self) {
+            const py::ssize_t rows = 3 * static_cast<py::ssize_t>(self.num_contacts());
+            return array_of(self.delassus(), {rows, rows});
+          },
+          "The Delassus operator H^T M^-1 H, (3 nc, 3 nc) [1/kg].")
+      .def_property_readonly(
+          "q", [](const Problem& self) { return by_contact(self.q()); },
+          "Velocities at the contacts without impulses, (nc, 3) [m/s].")
+      .def_property_readonly(
+          "guess",
+          [](const Problem& self) -> std::optional<py::array_t<double>> {
+            if (auto guess = self.guess(); !guess.empty()) return by_contact(std::move(guess));
+            return {};
+          },
+          "First guess of the impulses, (nc, 3) [N s], or None.")
+      .def_property_readonly(
+          "solution",
+          [](const Problem& self) -> std::optional<py::array_t<double>> {
+            if (auto solution = self.solution(); !solution.empty()) return by_contact(std::move(solution));
+            return {};
+          },
+          "Impulses that came with the problem, (nc, 3) [N s], or None.")
+      .def(
+          "contact_velocities",
+          [](const Problem& self, const Numbers& r) { return by_contact(self.contact_velocities(span_of(r))); },
+          py::arg("impulses"), "Velocities at the contacts under impulses (nc, 3), as (nc, 3) [m/s].")
+      .def(
+          "velocities", [](const Problem& self, const Numbers& r) { return array_of(self.velocities(span_of(r))); },
+          py::arg("impulses"), "Velocities of the bodies under impulses (nc, 3); empty in the local form.")
+      .def(
+          "write",
+          [](const Problem& self, const std::filesystem::path& file, const std::optional<Numbers>& impulses) {
+            self.write(file, impulses ? span_of(*impulses) : std::span<const double>());
+          },
+          py::arg("file"), py::arg("impulses") = py::none(),
+          "Writes the problem in FCLIB's format, with impulses as its solution if they are given.");
+}
+
+void bind_solution(py::module_& module) {
+  py::class_<Solution>(module, "Solution", "The answer of a solver, and how good it is.")
+      .def_property_readonly(
+          "impulses", [](const Solution& self) { return by_contact(self.impulses); }, "(nc, 3) [N s].")
+      .def_property_readonly(
+          "contact_velocities", [](const Solution& self) { return by_contact(self.contact_velocities); },
+          "(nc, 3) [m/s].")
+      .def_property_readonly(
+          "velocities", [](const Solution& self) { return array_of(self.velocities); },
+          "Those of the bodies; empty in the local form.")
+      .def_readonly("status", &Solution::status, "converged, iteration_limit, stalled or numerical_error.")
+      .def_readonly("converged", &Solution::converged)
+      .def_readonly("iterations", &Solution::iterations)
+      .def_readonly("seconds", &Solution::seconds, "Wall time of the solve [s].")
+      .def_readonly("message", &Solution::message)
+      .def_property_readonly(
+          "history", [](const Solution& self) { return array_of(self.history); },
+          "The residual after each iteration [m/s]; empty unless it was asked for.")
+      .def_property_readonly("residuals", [](const Solution& self) { return dict_of(self.residuals); },
+                             "Residuals by name, measured independently of the solver.")
+      .def("__repr__", [](const Solution& self) {
+        return "<nilas.Solution " + self.status + " after " + std::to_string(self.iterations) + " iterations>";
+      });
+}
+
+}  // namespace
+
+void bind_problems(py::module_& module) {
+  bind_problem(module);
+  bind_solution(module);
+  module.def("solve", &solved, py::arg("problem"), py::kw_only(), py::arg("solver") = "auto",
+             py::arg("law") = "coulomb", py::arg("tolerance") = 1e-8, py::arg("guess") = py::none(),
+             py::arg("max_iterations") = 100000, py::arg("max_seconds") = 60.0, py::arg("threads") = 1,
+             py::arg("history") = false);
+  module.def(
+      "measure",
+      [](const Problem& problem, const Numbers& impulses, const std::string& law) {
+        return dict_of(measure(problem, span_of(impulses), law));
+      },
+      py::arg("problem"), py::arg("impulses"), py::kw_only(), py::arg("law") = "coulomb");
+  module.def("solvers", [] {
+    py::dict all;
+    for (const SolverInfo& info : solver_list()) {
+      py::dict one;
+      one["summary"] = info.summary;
+      one["laws"] = info.laws;
+      all[py::str(info.name)] = one;
+    }
+    return all;
+  });
+}
+
+}  // namespace nilas::python

@@ -1,0 +1,74 @@
+"""Small runs that tests and doctests share, and names that doctests may use."""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import nilas
+
+SCENES = Path(__file__).parent / "tests" / "scenes"
+
+
+@pytest.fixture(scope="session")
+def small_scene() -> Path:
+    """A scene of about ten floes and 50 steps."""
+    return SCENES / "small.xml"
+
+
+@pytest.fixture(scope="session")
+def small_folder(small_scene: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The folder of a run of that scene, which tests only read."""
+    folder = tmp_path_factory.mktemp("runs") / "small"
+    nilas.run(small_scene, out=folder, threads=1)
+    return folder
+
+
+@pytest.fixture
+def own_folder(small_folder: Path, tmp_path: Path) -> Path:
+    """A copy of that folder, which a test may change."""
+    return Path(shutil.copytree(small_folder, tmp_path / "small"))
+
+
+@pytest.fixture
+def small_run(small_folder: Path) -> nilas.Run:
+    return nilas.Run(small_folder)
+
+
+@pytest.fixture
+def floe_shapefile(tmp_path: Path) -> Path:
+    """Two floes of 2 m and 1 m, with their thickness."""
+    pyshp = pytest.importorskip("shapefile", reason="needs pyshp (python3-pyshp of Debian)")
+    with pyshp.Writer(str(tmp_path / "floes.shp"), shapeType=pyshp.POLYGON) as writer:
+        writer.field("thick", "N", decimal=3)
+        for corner, side, thickness in ((10.0, 2.0, 0.5), (20.0, 1.0, 0.75)):
+            far = corner + side
+            writer.poly([[[corner, 0], [corner, side], [far, side], [far, 0], [corner, 0]]])
+            writer.record(thickness)
+    return tmp_path / "floes.shp"
+
+
+@pytest.fixture(autouse=True)
+def doctest_room(
+    request: pytest.FixtureRequest,
+    doctest_namespace: dict[str, Any],
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+) -> Iterator[None]:
+    """Gives doctests their names, and a folder of their own to write into."""
+    if isinstance(request.node, pytest.Item) and hasattr(request.node, "dtest"):
+        monkeypatch.chdir(tmp_path)
+        text = "".join(example.source for example in request.node.dtest.examples)
+        if "small_scene" in text:
+            doctest_namespace["small_scene"] = request.getfixturevalue("small_scene")
+        if "example_folder" in text or "example_run" in text:
+            folder = request.getfixturevalue("small_folder")
+            doctest_namespace["example_folder"] = folder
+            doctest_namespace["example_run"] = nilas.Run(folder)
+        if "example_shapefile" in text:
+            doctest_namespace["example_shapefile"] = request.getfixturevalue("floe_shapefile")
+    yield

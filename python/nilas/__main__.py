@@ -1,0 +1,18 @@
+"""`python3 -m nilas` and the command `nilas` of an installed package: the program itself."""
+
+import os
+import sys
+from typing import NoReturn
+
+from nilas.program import program
+
+
+def main() -> NoReturn:
+    """Becomes the program, with the words of the command line."""
+    path = os.fspath(program())
+    os.environ.setdefault("NILAS_PYTHON", sys.executable)  # for the commands that the package carries out
+    os.execv(path, [path, *sys.argv[1:]])
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,94 @@
+"""Contact problems and their solvers on arrays of numpy.
+
+A unit mass is pressed on the ground with 9.81 N s and pushed along it with 1 N s. Friction of 0.2 could hold 1.96 N s,
+so the mass sticks:
+
+>>> import numpy as np
+>>> problem = Problem()
+>>> body = problem.add_body(mass=np.eye(3), momentum=[-9.81, 1.0, 0.0])
+>>> contact = problem.add_contact(-1, [], body, np.eye(3), w=[0, 0, 0], mu=0.2)
+>>> solution = solve(problem, solver="newton")
+>>> solution.status
+'converged'
+>>> solution.impulses.round(6).tolist()
+[[9.81, -1.0, 0.0]]
+>>> measure(problem, solution.impulses)["natural_map_m_s"] < 1e-8
+True
+"""
+
+import os
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from nilas import _core
+from nilas._core import Problem, Solution
+
+__all__ = ["Problem", "Solution", "solve", "measure", "solvers"]
+
+Source = Problem | str | os.PathLike[str]
+
+
+def problem_of(source: Source) -> Problem:
+    """The problem itself, or that of a file in FCLIB's format.
+
+    >>> problem_of(Problem()).num_contacts
+    0
+    """
+    return source if isinstance(source, Problem) else Problem.read(os.fspath(source))
+
+
+def solve(
+    problem: Source,
+    *,
+    solver: str = "auto",
+    law: str = "coulomb",
+    tolerance: float = 1e-8,
+    guess: ArrayLike | None = None,
+    max_iterations: int = 100000,
+    max_seconds: float = 60.0,
+    threads: int = 1,
+    history: bool = False,
+) -> Solution:
+    """Solves a contact problem, or that of a file in FCLIB's format.
+
+    `tolerance` is the residual of the law in m/s at which the solver stops, and `guess` holds impulses, (nc, 3) in N s.
+    Results do not depend on `threads`. A problem that is not solved is no error: look at `status` of the answer.
+    `nilas.solvers()` lists the solvers with their laws.
+
+    >>> W = [[2.0, 0, 0], [0, 2.0, 0], [0, 0, 2.0]]
+    >>> problem = Problem.local(W, q=[-1.0, 0.3, 0.1], mu=[0.5])
+    >>> solve(problem).impulses.round(9).tolist()
+    [[0.5, -0.15, -0.05]]
+    """
+    return _core.solve(
+        problem_of(problem),
+        solver=solver,
+        law=law,
+        tolerance=tolerance,
+        guess=None if guess is None else np.asarray(guess, dtype=float),
+        max_iterations=max_iterations,
+        max_seconds=max_seconds,
+        threads=threads,
+        history=history,
+    )
+
+
+def measure(problem: Source, impulses: ArrayLike, *, law: str = "coulomb") -> dict[str, float]:
+    """The residuals of impulses, (nc, 3) in N s, by name. Units are in the names.
+
+    >>> problem = Problem.local([[1.0, 0, 0], [0, 1, 0], [0, 0, 1]], q=[-1.0, 0, 0], mu=[0.5])
+    >>> measure(problem, [[0, 0, 0]])["law_map_m_s"]
+    1.0
+    """
+    return _core.measure(problem_of(problem), np.asarray(impulses, dtype=float), law=law)
+
+
+def solvers() -> dict[str, dict[str, Any]]:
+    """The solvers by name, each with its `summary` and the `laws` that it takes.
+
+    >>> "coulomb" in solvers()["nsgs"]["laws"]
+    True
+    """
+    return _core.solvers()

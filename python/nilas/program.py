@@ -1,0 +1,214 @@
+"""Finds the program ``nilas`` and runs its commands."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+import sysconfig
+from collections.abc import Iterable, Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, NamedTuple
+
+from nilas.errors import NilasError
+
+if TYPE_CHECKING:
+    from nilas.results.run import Run
+
+_NAME = "nilas"
+# What a command's exit code says, from docs/reference/conventions.md.
+_CODES = {
+    2: "bad input or usage",
+    3: "the numerics failed, or a check does not hold",
+    4: "a file could not be read or written",
+    130: "the command was interrupted",
+}
+
+
+class NotFound(NilasError, FileNotFoundError):
+    """The program ``nilas`` is at none of the places where it is looked for."""
+
+
+class Failed(NilasError, RuntimeError):
+    """A command of the program ended with an exit code other than 0.
+
+    ``arguments``: the words after ``nilas``. ``code``: the exit code. ``message``: what the
+    program wrote on standard error. ``output``: what it wrote on standard output.
+    """
+
+    def __init__(self, arguments: Sequence[str], code: int, message: str, output: str = "") -> None:
+        self.arguments = list(arguments)
+        self.code = code
+        self.message = message.strip()
+        self.output = output
+        super().__init__(arguments, code, message, output)
+
+    def __str__(self) -> str:
+        meaning = _CODES.get(self.code)
+        if meaning is None and self.code < 0:
+            meaning = f"signal {signal.Signals(-self.code).name} ended it"
+        head = f"nilas {' '.join(self.arguments)}: exit code {self.code}"
+        head += f" ({meaning})" if meaning else ""
+        return f"{head}\n{self.message}" if self.message else head
+
+
+class Answer(NamedTuple):
+    """What a command wrote: ``output`` on standard output, ``messages`` on standard error."""
+
+    output: str
+    messages: str
+
+
+def program() -> Path:
+    """The program ``nilas`` as an absolute path.
+
+    The first of these that exists is taken: the file that the environment variable
+    NILAS_PROGRAM names, the one inside this package, the one of the Python installation, the one
+    that ``./dev build`` made in the source tree of this package, the one on the search path.
+
+    >>> program().name
+    'nilas'
+    """
+    named = os.environ.get("NILAS_PROGRAM")
+    if named:
+        if not _is_program(Path(named)):
+            raise NotFound(f"NILAS_PROGRAM names {named}, which is no program that can be run.")
+        return Path(named).absolute()
+    places = _places()
+    for place in places:
+        if _is_program(place):
+            return place
+    on_path = _on_search_path()
+    if on_path is not None:
+        return on_path
+    raise NotFound(
+        "The program nilas was not found. It was looked for at "
+        + ", ".join(str(place) for place in places)
+        + " and on the search path PATH. Set NILAS_PROGRAM to its path."
+    )
+
+
+def call(
+    *arguments: str | os.PathLike[str],
+    folder: str | os.PathLike[str] | None = None,
+    echo: bool = False,
+) -> Answer:
+    """Runs ``nilas ARGUMENTS`` to its end and returns what it wrote.
+
+    ``folder``: the working folder of the command. ``echo``: what the command says while it works
+    is shown as well. Ctrl-C reaches the command, which finishes its files, and then raises
+    ``KeyboardInterrupt``. Raises ``Failed`` where the exit code is not 0, with the program's own
+    message.
+
+    >>> call("--version").output.startswith("nilas")
+    True
+    >>> call("check", "there-is-no-such-scene.xml")  # doctest: +IGNORE_EXCEPTION_DETAIL
+    Traceback (most recent call last):
+    nilas.program.Failed: ...
+    """
+    words = [os.fspath(argument) for argument in arguments]
+    process = subprocess.Popen(
+        [os.fspath(program()), *words],
+        cwd=folder,
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE,
+        stderr=None if echo else subprocess.PIPE,
+        text=True,
+    )
+    output, messages = _wait(process, echo)
+    if process.returncode != 0:
+        raise Failed(words, process.returncode, messages, output)
+    return Answer(output, messages)
+
+
+def run(
+    scene: str | os.PathLike[str],
+    *,
+    out: str | os.PathLike[str],
+    settings: Mapping[str, object] | None = None,
+    until: float | None = None,
+    seed: int | None = None,
+    threads: int | None = None,
+    force: bool = False,
+    echo: bool = False,
+    options: Sequence[str] = (),
+) -> Run:
+    """Runs a scene as ``nilas run`` does, and returns its run.
+
+    ``scene``: the XML file. ``out``: the run folder. ``settings``: attributes of the scene as
+    ``--set`` takes them, ``{"vessel/carriage/@speed": 0.4}``. ``until``: end [s]. ``seed``: seed
+    of the ice. ``force``: an earlier run in the folder is replaced. ``options``: further options
+    of the command line. Raises ``Failed`` where the run fails or the scene has a fault.
+
+    >>> first = run(small_scene, out="first", settings={"time/@end": 0.1})
+    >>> first.status
+    'done'
+    """
+    words = [os.fspath(scene), "--out", os.fspath(out), "--quiet", *options]
+    for path, value in (settings or {}).items():
+        words += ["--set", f"{path}={_text(value)}"]
+    for option, number in (("--until", until), ("--seed", seed), ("--threads", threads)):
+        if number is not None:
+            words += [option, _text(number)]
+    if force:
+        words.append("--force")
+    call("run", *words, echo=echo)
+    from nilas.results.run import Run
+
+    return Run(out)
+
+
+def _text(value: object) -> str:
+    """A value as the scene file has it: true or false, numbers apart by spaces."""
+    if isinstance(value, str):
+        return value
+    if isinstance(value, Iterable):
+        return " ".join(_text(one) for one in value)
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    return repr(float(value)) if isinstance(value, float) else str(value)
+
+
+def _is_program(path: Path) -> bool:
+    """Whether a file can be run and is no Python script: such a script calls this package."""
+    if not path.is_file() or not os.access(path, os.X_OK):
+        return False
+    with path.open("rb") as file:
+        head = file.readline(200)
+    return not (head.startswith(b"#!") and b"python" in head)
+
+
+def _places() -> list[Path]:
+    package = Path(__file__).resolve().parent
+    return [
+        package / "bin" / _NAME,
+        Path(sys.prefix) / "bin" / _NAME,
+        Path(sysconfig.get_path("scripts")) / _NAME,
+        package.parents[1] / "build" / "release" / _NAME,
+    ]
+
+
+def _on_search_path() -> Path | None:
+    for folder in os.get_exec_path():
+        place = Path(folder or ".") / _NAME
+        if _is_program(place):
+            return place.absolute()
+    return None
+
+
+def _wait(process: subprocess.Popen[str], echo: bool) -> tuple[str, str]:
+    """Waits for the end. After Ctrl-C the command, which got the signal too, may finish its files.
+
+    A second Ctrl-C ends it at once.
+    """
+    try:
+        output, messages = process.communicate()
+    except KeyboardInterrupt:
+        try:
+            process.communicate()
+        except KeyboardInterrupt:
+            process.kill()
+            process.communicate()
+        raise
+    return output, "" if echo else messages

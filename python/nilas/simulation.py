@@ -1,0 +1,236 @@
+"""Runs of a scene within Python, step by step."""
+
+import os
+import pathlib
+from collections.abc import Callable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from nilas import _core
+from nilas.errors import InputError, SimulationError
+from nilas.scene.scene import Scene, Settings, checked
+
+if TYPE_CHECKING:
+    import pandas
+
+Callback = Callable[["Simulation"], Any]
+
+
+class Simulation:
+    """A scene that is simulated in this process. Its states have the same bits as a run of the program.
+
+    `scene` is a `nilas.Scene` or the path of a scene file, and `settings` are those of `--set`. With `folder` every
+    step is also written to a run folder, like that of `nilas run`; `force` replaces an earlier run there. With
+    `applied_loads` the method `apply` may load bodies. Other threads of Python run while a step is taken. One thread
+    at a time may use a simulation, and a process that was forked must build its own.
+
+    >>> simulation = Simulation(small_scene)
+    >>> step = simulation.step()
+    >>> step.number, round(step.time, 6)
+    (1, 0.01)
+    >>> simulation.bodies.position.shape[1]
+    3
+    """
+
+    def __init__(
+        self,
+        scene: Scene | str | os.PathLike[str],
+        *,
+        settings: Settings | None = None,
+        scale: float = 1.0,
+        threads: int = 1,
+        applied_loads: bool = False,
+        folder: str | os.PathLike[str] | None = None,
+        force: bool = False,
+    ) -> None:
+        self.scene = checked(scene, settings, scale)
+        self._core = _core.Simulation(self.scene, threads=threads, applied_loads=applied_loads)
+        self._steps: list[np.ndarray] = []
+        self._vessel_steps: list[np.ndarray] = []
+        self.folder = pathlib.Path(folder) if folder is not None else None
+        self._writer = _core.RunWriter(self._core, self.folder, force) if self.folder else None
+        self.last: _core.Step | None = None  #: what the last step did
+
+    # Time
+
+    @property
+    def time(self) -> float:
+        """The present time [s]."""
+        return self._core.time
+
+    @property
+    def steps(self) -> int:
+        """The number of steps since the start."""
+        return self._core.steps
+
+    @property
+    def is_done(self) -> bool:
+        """Whether the scene's end is reached, or the carriage's course has ended."""
+        return self._core.is_done
+
+    def step(self) -> _core.Step:
+        """Advances by the scene's step and returns what it did: contacts, residual, loads on the vessel.
+
+        Raises `nilas.SimulationError` where the numerics fail.
+        """
+        try:
+            step = self._core.step()
+        except SimulationError:
+            self._finish("failed")
+            raise
+        if self._writer:
+            self._writer.record()
+        self._steps.append(step.numbers)
+        if step.vessel is not None:
+            self._vessel_steps.append(step.vessel_numbers)
+        self.last = step
+        return step
+
+    def run(self, until: float | None = None, callback: Callback | None = None) -> "Simulation":
+        """Takes steps until the time `until` [s], or to the scene's end, and returns the simulation.
+
+        Before each step `callback(simulation)` is called. It may look at the simulation, load bodies (`apply`) and set
+        commands, and it ends the run by returning True. Ctrl-C ends the run between two steps; what was written is
+        complete up to there.
+
+        >>> simulation = Simulation(small_scene)
+        >>> simulation.run(until=0.05).steps
+        5
+        >>> simulation.run(callback=lambda s: s.steps >= 7).steps
+        7
+        """
+        half = 0.5 * self.scene.step
+        try:
+            while not self.is_done and (until is None or self.time < until - half):
+                if callback is not None and callback(self) is True:
+                    break
+                self.step()
+        except KeyboardInterrupt:
+            self._finish("interrupted")
+            raise
+        if self.is_done:
+            self._finish("done")
+        return self
+
+    def close(self, status: str = "done") -> None:
+        """Finishes the run folder before the scene's end: writes its summary. Nothing more can be written to it."""
+        self._finish(status)
+
+    def __enter__(self) -> "Simulation":
+        return self
+
+    def __exit__(self, kind: type[BaseException] | None, *_: object) -> None:
+        self._finish("done" if kind is None else "interrupted")
+
+    def _finish(self, status: str) -> None:
+        if self._writer:
+            self._writer.finish(status)
+            self._writer = None
+
+    # State
+
+    @property
+    def bodies(self) -> _core.BodyStates:
+        """All bodies now: id, name, kind, mass, position, orientation, velocity, angular_velocity."""
+        return self._core.bodies
+
+    @property
+    def vessel(self) -> int | None:
+        """The index of the vessel among the bodies; None without one."""
+        return None if self._core.vessel < 0 else self._core.vessel
+
+    @property
+    def modules(self) -> dict[str, str]:
+        """The models that were built, each with what asks for it."""
+        return dict(self._core.modules)
+
+    @property
+    def warnings(self) -> dict[str, int]:
+        """Warnings since the start, by kind, with their numbers."""
+        return dict(self._core.warnings)
+
+    def table(self) -> "pandas.DataFrame":
+        """The steps taken here, as `steps.csv` has them, indexed by time in s.
+
+        >>> simulation = Simulation(small_scene)
+        >>> simulation.run(until=0.05).table()["kinetic_J"].size
+        5
+        """
+        return _table(self._core.step_columns, self._steps, None)
+
+    def vessel_table(self) -> "pandas.DataFrame":
+        """Loads on the vessel and its motion in the steps taken here, as `vessel.csv` has them, indexed by time in s."""
+        if self.vessel is None:
+            raise InputError("The scene has no vessel.")
+        return _table(self._core.vessel_columns, self._vessel_steps, [row[0] for row in self._steps])
+
+    # Control
+
+    def apply(
+        self,
+        body: int | str,
+        force: Sequence[float] = (0, 0, 0),
+        *,
+        torque: Sequence[float] = (0, 0, 0),
+        point: Sequence[float] | None = None,
+    ) -> None:
+        """Loads a body, by its index or name, during the next step.
+
+        `force` in N and `torque` in N m are in the ground frame. The force acts at `point` (m, ground frame), or at
+        the centre of mass. Several loads add up.
+
+        >>> simulation = Simulation(small_scene, applied_loads=True)
+        >>> simulation.apply(0, force=[1, 0, 0])
+        >>> step = simulation.step()
+        """
+        index = self.bodies.name.index(body) if isinstance(body, str) else body
+        self._core.apply(
+            index, list(map(float, force)), list(map(float, torque)),
+            None if point is None else list(map(float, point)),
+        )
+
+    @property
+    def commands(self) -> dict[str, float]:
+        """What rudders, propellers and thrusters are asked for, by name, in SI units."""
+        return dict(self._core.commands)
+
+    def command(self, values: Mapping[str, float] | None = None, **more: float) -> None:
+        """Sets commands by name, from the next step on."""
+        for name, value in {**(values or {}), **more}.items():
+            self._core.set_command(name, float(value))
+
+    @property
+    def problem(self) -> _core.Problem:
+        """The contact problem of the last step, with its first guess and its solution."""
+        return self._core.last_problem
+
+    def snapshot(self) -> _core.Snapshot:
+        """The present state, for `restore`.
+
+        >>> simulation = Simulation(small_scene)
+        >>> start = simulation.snapshot()
+        >>> first = simulation.step().state_hash
+        >>> simulation.restore(start)
+        >>> simulation.step().state_hash == first
+        True
+        """
+        return self._core.snapshot()
+
+    def restore(self, snapshot: _core.Snapshot) -> None:
+        """Returns to a state of this scene. The next steps have the same bits as they had from there."""
+        if self._writer:
+            raise InputError("A simulation that writes a run folder cannot go back in time.")
+        self._core.restore(snapshot)
+        kept = self.steps
+        del self._steps[kept:], self._vessel_steps[kept:]
+
+
+def _table(columns: list[str], rows: list[np.ndarray], times: list[float] | None) -> "pandas.DataFrame":
+    import pandas
+
+    data = np.array(rows) if rows else np.empty((0, len(columns)))
+    frame = pandas.DataFrame(data, columns=columns)
+    if times is not None:
+        frame.insert(0, "time_s", times)
+    return frame.set_index("time_s")

@@ -1,0 +1,96 @@
+"""Contact problems on arrays."""
+
+import nilas
+import numpy as np
+import pytest
+
+
+def sliding_mass(slide, mu):
+    problem = nilas.Problem()
+    problem.add_body(np.eye(3), [-9.81, slide, 0])
+    problem.add_contact(-1, [], 0, np.eye(3), [0, 0, 0], mu)
+    return problem
+
+
+def random_stack(count, seed):
+    """A chain of bodies on the ground, each pressed on the one below."""
+    random = np.random.default_rng(seed)
+    problem = nilas.Problem()
+    up = np.array([[0, 0, 1.0], [1, 0, 0], [0, 1, 0]])
+    for k in range(count):
+        momentum = [*random.normal(0, 1, 2), -9.81 * (1 + k)]
+        problem.add_body((1 + k) * np.eye(3), momentum)
+        problem.add_contact(k - 1, -up if k else [], k, up, random.normal(0, 0.01, 3), 0.3)
+    return problem
+
+
+@pytest.mark.parametrize("solver", ["nsgs", "newton", "auto", "ipm", "admm"])
+def test_solvers_agree(solver):
+    problem = random_stack(5, 1)
+    solution = nilas.solve(problem, solver=solver, tolerance=1e-9)
+    assert solution.converged
+    assert nilas.measure(problem, solution.impulses)["natural_map_m_s"] <= 1e-9
+    reference = nilas.solve(problem, tolerance=1e-10)
+    assert np.allclose(solution.impulses, reference.impulses, atol=1e-6)
+
+
+def test_velocities_follow_from_the_impulses():
+    problem = random_stack(4, 2)
+    solution = nilas.solve(problem)
+    W, q = problem.W, problem.q.ravel()
+    u = (W @ solution.impulses.ravel() + q).reshape(-1, 3)
+    assert np.allclose(u, solution.contact_velocities, atol=1e-12)
+    assert np.allclose(problem.contact_velocities(solution.impulses), u, atol=1e-12)
+
+
+def test_local_form_takes_any_layout():
+    problem = random_stack(3, 3)
+    local = nilas.Problem.local(np.asfortranarray(problem.W), problem.q, list(problem.mu))
+    assert local.is_local and local.num_contacts == 3
+    assert np.allclose(nilas.solve(local).impulses, nilas.solve(problem).impulses, atol=1e-7)
+
+
+def test_files_keep_everything(tmp_path):
+    problem = random_stack(3, 4)
+    solution = nilas.solve(problem)
+    problem.write(tmp_path / "p.hdf5", solution.impulses)
+    stored = nilas.Problem.read(tmp_path / "p.hdf5")
+    assert np.array_equal(stored.solution, solution.impulses)
+    assert stored.guess is None
+    assert np.allclose(stored.W, problem.W, rtol=1e-14)
+    assert nilas.solve(tmp_path / "p.hdf5").converged
+
+
+def test_threads_change_no_bits():
+    problem = random_stack(40, 5)
+    one, two = (nilas.solve(problem, threads=n).impulses for n in (1, 2))
+    assert np.array_equal(one, two)
+
+
+def test_a_guess_and_a_history():
+    problem = sliding_mass(10, 0.2)
+    solution = nilas.solve(problem, solver="nsgs", history=True)
+    assert len(solution.history) == solution.iterations
+    assert nilas.solve(problem, guess=solution.impulses).iterations == 0
+
+
+@pytest.mark.parametrize(
+    ("arguments", "part"),
+    [
+        ({"solver": "newtn"}, "newton"),
+        ({"law": "coulom"}, "coulomb"),
+        ({"solver": "admm", "law": "pyramid"}, "coulomb"),
+        ({"guess": [1.0]}, "allowed: 3"),
+        ({"guess": [[np.nan, 0, 0]]}, "not finite"),
+        ({"threads": 0}, "at least 1"),
+        ({"tolerance": -1.0}, "0 or above"),
+    ],
+)
+def test_faults_say_what_is_allowed(arguments, part):
+    with pytest.raises(nilas.InputError, match=part):
+        nilas.solve(sliding_mass(1, 0.2), **arguments)
+
+
+def test_a_missing_file_is_named(tmp_path):
+    with pytest.raises(nilas.FileError, match="none.hdf5"):
+        nilas.solve(tmp_path / "none.hdf5")

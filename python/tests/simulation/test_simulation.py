@@ -1,0 +1,195 @@
+"""Simulations in this process."""
+
+import os
+import signal
+import threading
+import time
+
+import nilas
+import numpy as np
+import pandas
+import pytest
+from nilas.scene import Element, Scene
+
+
+def balls(**settings):
+    """Two balls, one of which falls, above the ground."""
+    scene = Scene(
+        Element("time", step=0.01, end=0.5),
+        Element("contact", law="coulomb", solver="auto", tolerance=1e-8, integrator="semi-implicit-euler"),
+        Element("body", name="ground", shape="plane", fixed=True),
+        Element("body", name="one", shape="sphere", radius=0.1, mass=2, position=[0, 0, 0.3]),
+        Element("body", name="two", shape="sphere", radius=0.1, mass=1, position=[1, 0, 0.5], velocity=[-1, 0, 0]),
+        name="balls",
+    )
+    return scene.set(settings)
+
+
+def hashes(simulation, steps):
+    return [simulation.step().state_hash for _ in range(steps)]
+
+
+def test_a_force_accelerates_for_one_step():
+    simulation = nilas.Simulation(balls(), applied_loads=True)
+    simulation.apply("one", [3, 0, 0])
+    simulation.step()
+    assert simulation.bodies.velocity[1, 0] == pytest.approx(0.015, abs=1e-15)
+    simulation.step()
+    assert simulation.bodies.velocity[1, 0] == pytest.approx(0.015, abs=1e-15)
+    table = simulation.table()
+    assert table["work_applied_J"].iloc[0] == pytest.approx(0.5 * 2 * 0.015**2, abs=1e-14)
+
+
+def test_the_callback_controls_and_ends_the_run():
+    simulation = nilas.Simulation(balls(), applied_loads=True)
+
+    def hold(running):
+        running.apply(1, [0, 0, 2 * 9.81 - 50 * running.bodies.velocity[1, 2]])
+        return running.steps >= 30
+
+    simulation.run(callback=hold)
+    assert simulation.steps == 30
+    assert simulation.bodies.position[1, 2] == pytest.approx(0.3, abs=1e-3)
+
+
+def test_bits_are_those_of_the_program(tmp_path, small_scene):
+    run = nilas.run(small_scene, out=tmp_path / "program")
+    simulation = nilas.Simulation(small_scene, folder=tmp_path / "python", threads=2)
+    simulation.run()
+    there = pandas.read_csv(tmp_path / "program" / "steps.csv", dtype=str)
+    here = pandas.read_csv(tmp_path / "python" / "steps.csv", dtype=str)
+    timed = [name for name in there.columns if name.startswith("ms_")]
+    pandas.testing.assert_frame_equal(here.drop(columns=timed), there.drop(columns=timed))
+    assert run.status == "done"
+    assert nilas.Run(tmp_path / "python").status == "done"
+
+
+def test_tables_are_those_of_the_run_folder(tmp_path, small_scene):
+    simulation = nilas.Simulation(small_scene, folder=tmp_path / "run")
+    simulation.run()
+    stored = pandas.read_csv(tmp_path / "run" / "steps.csv", index_col="time_s", float_precision="round_trip")
+    table = simulation.table()
+    assert list(table.columns) == [c for c in stored.columns if c not in ("status", "state_hash")]
+    # the time that outputs take is known once they are written
+    timed = [name for name in table.columns if name.startswith("ms_")]
+    pandas.testing.assert_frame_equal(
+        table.drop(columns=timed), stored[table.columns].drop(columns=timed).astype(float), check_exact=True
+    )
+
+
+def test_snapshots_return_to_the_same_bits():
+    simulation = nilas.Simulation(balls())
+    hashes(simulation, 10)
+    now = simulation.snapshot()
+    first = hashes(simulation, 20)
+    simulation.restore(now)
+    assert simulation.steps == 10 and len(simulation.table()) == 10
+    assert hashes(simulation, 20) == first
+
+
+def test_the_problem_of_a_step_can_be_solved_again():
+    simulation = nilas.Simulation(balls())
+    while simulation.step().contacts == 0:
+        pass
+    problem = simulation.problem
+    again = nilas.solve(problem, solver="newton", tolerance=1e-10)
+    assert np.allclose(again.impulses, problem.solution, atol=1e-7)
+
+
+def test_other_threads_run_during_a_step(small_scene):
+    simulation = nilas.Simulation(small_scene)
+    counted, running = 0, True
+
+    def count():
+        nonlocal counted
+        while running:
+            counted += 1
+            time.sleep(0)
+
+    thread = threading.Thread(target=count)
+    thread.start()
+    simulation.run(until=0.5)
+    running = False
+    thread.join()
+    assert counted > 10
+
+
+def test_two_threads_cannot_share_a_simulation(small_scene):
+    simulation = nilas.Simulation(small_scene)
+    refused = []
+
+    def step():
+        try:
+            for _ in range(50):
+                simulation.step()
+        except nilas.InputError as error:
+            refused.append(str(error))
+
+    threads = [threading.Thread(target=step) for _ in range(4)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert all("another thread" in message for message in refused)
+    assert simulation.steps > 0
+
+
+def test_a_forked_process_must_build_its_own():
+    simulation = nilas.Simulation(balls(), threads=2)
+    simulation.step()
+    child = os.fork()
+    if child == 0:
+        code = 1
+        try:
+            simulation.step()
+        except nilas.InputError as error:
+            code = 0 if "forked" in str(error) else 2
+        if code == 0 and nilas.Simulation(balls(), threads=2).step().number != 1:
+            code = 3
+        os._exit(code)
+    assert os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]) == 0
+
+
+def test_ctrl_c_ends_between_two_steps(tmp_path):
+    simulation = nilas.Simulation(balls(), settings=None, folder=tmp_path / "run")
+
+    def interrupt(running):
+        if running.steps == 20:
+            os.kill(os.getpid(), signal.SIGINT)
+
+    with pytest.raises(KeyboardInterrupt):
+        simulation.run(callback=interrupt)
+    run = nilas.Run(tmp_path / "run")
+    assert run.status == "interrupted"
+    assert len(run.steps) == simulation.steps >= 20
+
+
+def test_faults_say_what_is_allowed(tmp_path):
+    simulation = nilas.Simulation(balls())
+    with pytest.raises(nilas.InputError, match="applied_loads"):
+        simulation.apply(1, [1, 0, 0])
+    with pytest.raises(nilas.InputError, match="nothing to command"):
+        simulation.command(rudder=1)
+    with pytest.raises(nilas.InputError, match="has no vessel"):
+        simulation.vessel_table()
+    with pytest.raises(nilas.FileError, match="no-such-scene.xml"):
+        nilas.Simulation(tmp_path / "no-such-scene.xml")
+    with pytest.raises(nilas.InputError, match="at least 1"):
+        nilas.Simulation(balls(), threads=0)
+    (tmp_path / "run").mkdir()
+    (tmp_path / "run" / "mine.txt").write_text("kept")
+    with pytest.raises(nilas.InputError, match="not empty"):
+        nilas.Simulation(balls(), folder=tmp_path / "run")
+    assert (tmp_path / "run" / "mine.txt").read_text() == "kept"
+
+
+def test_memory_stays_over_many_steps():
+    resource = pytest.importorskip("resource")
+    simulation = nilas._core.Simulation(balls().check({"time/@end": 1000}), applied_loads=True)
+    for k in range(3000):
+        simulation.apply(1, [0, 0, 1], [0, 0, 0], None)
+        simulation.step()
+        simulation.bodies.position
+        if k == 1000:
+            before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+    assert resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before < 1000  # kB
