@@ -1,0 +1,1 @@
+"""Reading run folders. ``docs/reference/outputs.md`` says what each file and column holds."""

@@ -1,0 +1,92 @@
+"""Statistics of a run as the program computed them, from summary.json, as tables."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import pandas as pd
+
+from nilas.results.units import unit_of
+
+_STATISTICS = ["std", "max", "p99", "max_filtered"]
+_COLUMNS = ["unit", "mean", "error", *_STATISTICS]
+
+
+def load_table(summary: Mapping[str, Any]) -> pd.DataFrame:
+    """A row per load channel of the vessel: its unit, its statistics and its error.
+
+    ``error`` is the half width of the interval of about 95 % of the mean, nan where it is not
+    known. It holds for one ice field.
+    """
+    loads = summary.get("loads") or {}
+    errors = (summary.get("load_error") or {}).get("channels") or {}
+    rows = {
+        channel: {
+            "unit": unit_of(channel),
+            "mean": statistics.get("mean"),
+            "error": (errors.get(channel) or {}).get("estimate"),
+            **{name: statistics.get(name) for name in _STATISTICS},
+        }
+        for channel, statistics in loads.items()
+    }
+    return _numbers(pd.DataFrame.from_dict(rows, orient="index", columns=_COLUMNS), "channel")
+
+
+def structure_table(summary: Mapping[str, Any]) -> pd.DataFrame:
+    """A row per fixed body and load channel, with the figures of summary.json.
+
+    Names of figures have no unit here: the column ``unit`` has that of the channel.
+    """
+    rows = {}
+    for structure in summary.get("structures") or []:
+        for channel, figures in (structure.get("loads") or {}).items():
+            row: dict[str, Any] = {"unit": unit_of(channel)}
+            for name, value in figures.items():
+                if not isinstance(value, Mapping):
+                    row[_without_unit(name)] = value
+            rows[structure["name"], channel] = row
+    frame = pd.DataFrame.from_dict(rows, orient="index")
+    if len(frame):
+        frame.index = pd.MultiIndex.from_tuples(rows, names=["structure", "channel"])
+    return frame
+
+
+def figures_of(summary: Mapping[str, Any]) -> dict[str, float | str | bool]:
+    """All single values of a summary under one name each, as in ``ice_load.along.mean_N``.
+
+    Lists are left out.
+
+    >>> figures_of({"steps": 3, "ice_load": {"along": {"mean_N": 2.5, "halves": None}}})
+    {'steps': 3, 'ice_load.along.mean_N': 2.5}
+    """
+    figures: dict[str, float | str | bool] = {}
+    _gather(summary, "", figures)
+    return figures
+
+
+def _gather(value: Any, path: str, figures: dict[str, float | str | bool]) -> None:
+    if isinstance(value, Mapping):
+        for name, inner in value.items():
+            _gather(inner, f"{path}.{name}" if path else str(name), figures)
+    elif isinstance(value, (int, float, str)):
+        figures[path] = value
+
+
+def _numbers(frame: pd.DataFrame, index_name: str) -> pd.DataFrame:
+    """The table with numbers as floats, so that what is not known is nan."""
+    for column in frame.columns.drop("unit"):
+        frame[column] = frame[column].astype(float)
+    frame.index.name = index_name
+    return frame
+
+
+def _without_unit(name: str) -> str:
+    """A name of a figure such as ``event_impulse_Ns`` without the unit of the load.
+
+    The ending stays where it is a time or an impulse: these are not in the channel's unit.
+    """
+    for ending in ("_N", "_Nm"):
+        if name.endswith(ending):
+            return name[: -len(ending)]
+    return name
