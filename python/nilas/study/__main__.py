@@ -1,0 +1,7 @@
+"""``python3 -m nilas.study``."""
+
+import sys
+
+from nilas.study.command import main
+
+sys.exit(main())

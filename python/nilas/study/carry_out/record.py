@@ -1,0 +1,86 @@
+"""What came of a run, as one JSON object in the run's folder."""
+
+from __future__ import annotations
+
+import json
+import math
+import os
+from dataclasses import asdict, dataclass, field
+from pathlib import Path
+from typing import Any
+
+RECORD = "record.json"  # written last: a run with this file is finished
+BEGUN = "begun.json"  # written first, and removed at the end
+# Keys of summary.json that differ from run to run of the same scene.
+_VOLATILE = {
+    "wall_s", "processor_s", "real_time_factor", "resuming_s", "exit_code", "threads", "versions",
+    "seed", "ms_per_step", "memory",
+}  # fmt: skip
+
+
+@dataclass
+class Record:
+    """A finished run.
+
+    ``key``: hash of what the run was made of. ``status``: done or failed. ``values``: every
+    number of summary.json by its path. ``columns``: what responses took from tables, by name.
+    """
+
+    run: str
+    point: str
+    seed: int
+    key: str
+    status: str
+    exit_code: int
+    message: str = ""
+    values: dict[str, float] = field(default_factory=dict)
+    columns: dict[str, float] = field(default_factory=dict)
+    overrides: dict[str, str] = field(default_factory=dict)
+    times: dict[str, Any] = field(default_factory=dict)
+    provenance: dict[str, Any] = field(default_factory=dict)
+
+    def text(self) -> str:
+        """The record as one line of JSON. Floats have all digits that they need."""
+        return json.dumps(asdict(self), separators=(",", ":"), allow_nan=False)
+
+
+def record_of(text: str) -> Record:
+    """The record that a line of JSON holds."""
+    return Record(**json.loads(text))
+
+
+def write_whole(path: Path, text: str) -> None:
+    """Writes a file so that others see all of it or nothing, even after a crash."""
+    other = path.with_name(path.name + ".part")
+    with open(other, "w", encoding="utf-8") as stream:
+        stream.write(text)
+        stream.flush()
+        os.fsync(stream.fileno())
+    os.replace(other, path)
+
+
+def flat_numbers(value: Any, path: str = "") -> dict[str, float]:
+    """All numbers of a JSON value by their path with points. Parts of lists are named.
+
+    >>> flat_numbers({"a": {"b_N": 1.5}, "list": [{"name": "pier", "x": 2}], "on": True})
+    {'a.b_N': 1.5, 'list.pier.x': 2.0, 'on': 1.0}
+    """
+    if isinstance(value, bool):
+        return {path: float(value)}
+    if isinstance(value, int | float):
+        return {path: float(value)} if math.isfinite(value) else {}
+    if isinstance(value, dict):
+        children = [(key, one) for key, one in value.items() if key not in _VOLATILE]
+    elif isinstance(value, list):
+        children = [(_name_in_list(one, place), one) for place, one in enumerate(value, 1)]
+    else:
+        return {}
+    flat: dict[str, float] = {}
+    for key, one in children:
+        flat.update(flat_numbers(one, f"{path}.{key}" if path else key))
+    return flat
+
+
+def _name_in_list(value: Any, place: int) -> str:
+    name = value.get("name") if isinstance(value, dict) else None
+    return str(name) if name else str(place)

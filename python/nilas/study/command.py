@@ -1,0 +1,250 @@
+"""The command line of a study."""
+
+from __future__ import annotations
+
+import argparse
+import fcntl
+import os
+import sys
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+
+from nilas.study.carry_out.launch import INTERRUPTED, Launcher
+from nilas.study.carry_out.progress import Progress
+from nilas.study.carry_out.provenance import find_program
+from nilas.study.carry_out.queue import Queue
+from nilas.study.carry_out.records import Records
+from nilas.study.carry_out.scene_check import check_scene
+from nilas.study.carry_out.schedule import Outcome, Scheduler
+from nilas.study.describe.faults import StudyError
+from nilas.study.describe.plan import Plan, Run
+from nilas.study.describe.points import Point
+from nilas.study.describe.read_study import read_study
+from nilas.study.results.closing import finish_study
+from nilas.study.results.overview import plan_text, status_text
+from nilas.study.snakemake.snakefile import write_snakefile
+from nilas.study.words import duration
+
+_DONE = 0
+_RUNS_FAILED = 3
+# Exit codes of runs that another try may mend: a file that could not be written, a program that
+# could not be started, a signal from outside such as that of a machine without memory.
+_WORTH_ANOTHER_TRY = {4, 126, 127}
+_SIGNAL = 128
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Carries out a study and returns the exit code.
+
+    0: all runs are done. 2: the study is wrong. 3: runs failed. 4: a file could not be read or
+    written. 130: the study was interrupted.
+    """
+    options = _parser().parse_args(arguments)
+    try:
+        return _carry_out(options)
+    except StudyError as error:
+        print(error, file=sys.stderr)
+        return error.code
+    except OSError as error:
+        print(f"error: {error.filename or ''}: {error.strerror}", file=sys.stderr)
+        return 4
+    except KeyboardInterrupt:
+        return INTERRUPTED
+
+
+def _carry_out(options: argparse.Namespace) -> int:
+    plan = Plan(read_study(options.study, options.out))
+    if options.threads:
+        plan = Plan(plan.study.with_threads(options.threads))
+    if options.dry_run:
+        print(plan_text(plan, Records(plan)))
+        return _DONE
+    if options.status:
+        print(status_text(plan, Records(plan)))
+        return _DONE
+    if options.snakemake:
+        print(write_snakefile(plan, find_program(options.program)))
+        return _DONE
+    if options.judge:
+        return finish_study(plan, Records(plan), quiet=True, write=False)
+    if options.collect:
+        code = finish_study(plan, Records(plan), quiet=options.quiet, page=not options.no_page)
+        return _DONE if options.collect == "without-judgement" else code
+    if options.run or options.part:
+        return _one_job(plan, options)
+    with _only_one(plan):
+        return _whole_study(plan, options)
+
+
+def _whole_study(plan: Plan, options: argparse.Namespace) -> int:
+    """Makes all runs that are missing, then writes tables and page."""
+    records = Records(plan)
+    launcher = Launcher(plan, find_program(options.program))
+    queue = _queue(plan, records, launcher, plan.points, options)
+    if queue.done + queue.failed == 0 and not options.no_check:
+        check_scene(plan, launcher)
+    progress = Progress(queue.done + queue.failed, options.quiet)
+    if queue.done + queue.failed:
+        progress.say(
+            f"{queue.done + queue.failed} runs are finished already; {len(queue)} are to be made."
+        )
+    outcome = Scheduler(queue, records, launcher, options.jobs, progress).carry_out()
+    if plan.study.job.points:
+        for points in plan.jobs():
+            if not Queue(plan, records, points, launcher.key):
+                _write_part(plan, records, points)
+    if not outcome.interrupted or outcome.ran:
+        progress.say(_account(outcome))
+    code = finish_study(plan, records, quiet=options.quiet, page=not options.no_page)
+    if outcome.interrupted:
+        progress.say("The study was interrupted. The same command continues it.")
+        return INTERRUPTED
+    return code
+
+
+def _one_job(plan: Plan, options: argparse.Namespace) -> int:
+    """Makes one run, or the runs of one part, as a job of Snakemake. A failed run is a result."""
+    records = Records(plan, options.part or "no part")
+    launcher = Launcher(plan, find_program(options.program))
+    progress = Progress(0, options.quiet)
+    if options.part:
+        points = _points_of_part(plan, records, options.part)
+        queue = _queue(plan, records, launcher, points, options)
+    else:
+        run = _run_named(plan, options.run)
+        points = [run.point]
+        queue = _queue(plan, records, launcher, points, options)
+        queue.keep_only(run)
+    outcome = Scheduler(queue, records, launcher, options.jobs, progress).carry_out()
+    if outcome.interrupted:
+        return INTERRUPTED
+    if options.part:
+        _write_part(plan, records, points)
+    return _DONE
+
+
+def _queue(
+    plan: Plan,
+    records: Records,
+    launcher: Launcher,
+    points: list[Point],
+    options: argparse.Namespace,
+) -> Queue:
+    """The runs to make. Runs of another scene, or that failed by chance, are forgotten first."""
+    plan.make_folders()
+    queue = Queue(plan, records, points, launcher.key)
+    if queue.stale and not options.force:
+        raise StudyError(
+            f"{len(queue.stale)} finished runs in {plan.study.out} were made of another "
+            f"scene or of other "
+            f"values of 'set', for example {queue.stale[0].name}. Choose another folder "
+            f"with --out, or "
+            "make them again with --force."
+        )
+    again = list(queue.stale)
+    for run, record in queue.failed_runs:
+        by_chance = record.exit_code in _WORTH_ANOTHER_TRY or record.exit_code > _SIGNAL
+        if options.retry_failed or by_chance:
+            again.append(run)
+    if not again:
+        return queue
+    for run in again:
+        records.forget(run)
+    return Queue(plan, records, points, launcher.key)
+
+
+def _write_part(plan: Plan, records: Records, points: list[Point]) -> None:
+    """Writes the part of some points, of whose runs none is missing."""
+    seeds = plan.study.seeds
+    runs = [
+        run
+        for point in points
+        for run in plan.runs(point, seeds.until.most if seeds.until else None)
+    ]
+    records.write_part(points, runs)
+
+
+def _points_of_part(plan: Plan, records: Records, name: str) -> list[Point]:
+    for points in plan.jobs():
+        if records.part_file(points).stem == name:
+            return points
+    raise StudyError(f"The study has no part {name}. Its file changed; write the Snakefile again.")
+
+
+def _run_named(plan: Plan, name: str) -> Run:
+    for point in plan.points:
+        if f"/{point.name}/" in f"/{name}":
+            for run in plan.runs(point):
+                if run.name == name:
+                    return run
+    raise StudyError(f"The study has no run {name}. Its file changed; write the Snakefile again.")
+
+
+def _account(outcome: Outcome) -> str:
+    if outcome.ran == 0:
+        return "No run was to be made."
+    return (
+        f"{outcome.ran} runs in {duration(outcome.wall_s)}, {outcome.failed} of them failed. "
+        f"Processor time {duration(outcome.processor_s)}, efficiency {outcome.efficiency:.2f} on "
+        f"{outcome.slots} at a time. Places were free for {outcome.idle_s:.2f} s while runs waited."
+    )
+
+
+@contextmanager
+def _only_one(plan: Plan) -> Iterator[None]:
+    """Keeps a second process out of the study's folder."""
+    plan.study.out.mkdir(parents=True, exist_ok=True)
+    with open(plan.study.out / "study.lock", "w") as lock:
+        try:
+            fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except OSError as error:
+            raise StudyError(
+                f"Another process is carrying out the study in {plan.study.out}.", 4
+            ) from error
+        lock.write(str(os.getpid()))
+        lock.flush()
+        yield
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(
+        prog="python3 -m nilas.study",
+        description="Runs a scene with many values and seeds, and writes one table and one page. "
+        "The same command continues a study that was stopped. docs/howto/run-a-study.md "
+        "explains the file.",
+    )
+    add = parser.add_argument
+    add("study", type=Path, metavar="STUDY.yaml", help="Reads the study from this file.")
+    add("-j", "--jobs", type=_count, default=1, metavar="N", help="Makes this many runs at a time.")
+    add("--threads", type=_count, metavar="N", help="Gives each run this many threads.")
+    add(
+        "--out",
+        metavar="DIR",
+        help="Writes into this folder instead of the one that the study names.",
+    )
+    add("--program", metavar="FILE", help="Runs this program instead of the nilas that is found.")
+    add(
+        "--dry-run",
+        action="store_true",
+        help="Prints the plan and what it costs, and runs nothing.",
+    )
+    add("--status", action="store_true", help="Prints how far the study is.")
+    add("--collect", nargs="?", const="yes", choices=["yes", "without-judgement"], metavar="",
+        help="Writes tables and page from the finished runs, and runs nothing.")  # fmt: skip
+    add("--snakemake", action="store_true", help="Writes a Snakefile that carries out the study.")
+    add("--retry-failed", action="store_true", help="Makes runs that failed again.")
+    add("--force", action="store_true", help="Makes runs of a changed scene again.")
+    add("--no-check", action="store_true", help="Does not check the scene before the first run.")
+    add("--no-page", action="store_true", help="Writes the tables only, which is quicker.")
+    add("--quiet", action="store_true", help="Prints only errors.")
+    add("--run", help=argparse.SUPPRESS)
+    add("--part", help=argparse.SUPPRESS)
+    add("--judge", action="store_true", help=argparse.SUPPRESS)
+    return parser
+
+
+def _count(text: str) -> int:
+    if not text.isdigit() or not 1 <= int(text) <= 4096:
+        raise argparse.ArgumentTypeError(f"'{text}' is no whole number from 1 to 4096")
+    return int(text)

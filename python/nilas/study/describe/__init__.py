@@ -1,0 +1,1 @@
+"""From a study file to a plan: factors, points, seeds and the names of runs."""

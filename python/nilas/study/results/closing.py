@@ -1,0 +1,87 @@
+"""The end of a study: tables, page, and what to tell the user."""
+
+from __future__ import annotations
+
+import os
+import sys
+
+from nilas.study.carry_out.records import Records
+from nilas.study.describe.faults import listed, nearest
+from nilas.study.describe.plan import Plan
+from nilas.study.results.collected import Collected, collect
+
+_FAILED = 3
+_WRONG_INPUT = 2
+_TOLD_FAILURES = 5
+
+
+def finish_study(
+    plan: Plan, records: Records, *, quiet: bool, write: bool = True, page: bool = True
+) -> int:
+    """Writes tables and page of the finished runs, tells failures, and returns the exit code."""
+    collected = collect(plan, records)
+    if write:
+        written = _write(collected, page)
+        if not quiet:
+            print("\n".join(os.path.relpath(path) for path in written))
+            if not any(path.suffix == ".parquet" for path in written):
+                print(
+                    "study.parquet was not written, since pyarrow is not installed (pip "
+                    "install pyarrow)."
+                )
+    code = _tell_absent(collected, records)
+    if collected.failed:
+        _tell_failures(collected)
+        code = _FAILED
+    if collected.missing and not quiet:
+        print(f"{collected.missing} runs are still missing.", file=sys.stderr)
+    return code
+
+
+def _write(collected: Collected, page: bool) -> list:
+    from nilas.study.results.tables import write_tables
+
+    written = write_tables(collected)
+    if page:
+        # Matplotlib takes a second to load, so it is loaded here only.
+        from nilas.study.results.page import write_page
+
+        written.append(write_page(collected))
+    return written
+
+
+def _tell_failures(collected: Collected) -> None:
+    failed = collected.failed
+    print(f"{len(failed)} of {len(collected.rows)} runs failed:", file=sys.stderr)
+    for row in failed[:_TOLD_FAILURES]:
+        print(f"  {row.run.name}: {row.message}", file=sys.stderr)
+    if len(failed) > _TOLD_FAILURES:
+        print(
+            f"  and {len(failed) - _TOLD_FAILURES} more; study.csv has them all.", file=sys.stderr
+        )
+
+
+def _tell_absent(collected: Collected, records: Records) -> int:
+    """Responses that runs do not have: a wrong name, or a load that this run does not state."""
+    code = 0
+    done = [row for row in collected.rows if row.status == "done"]
+    for response, count in collected.absent():
+        text = f"{count} runs that are done have no value of {response.channel or response.column}."
+        if count == len(done):
+            code = _WRONG_INPUT
+            record = records.find(done[0].run)
+            names = list(record.values) if record else []
+            if response.channel:
+                text += nearest(response.channel, names) + _beginning(response.channel, names)
+            else:
+                text += f" {done[0].message}"
+        place = f"{collected.plan.study.file}:{response.line}: responses.{response.name}"
+        print(f"{place}: {text}", file=sys.stderr)
+    return code
+
+
+def _beginning(channel: str, names: list[str]) -> str:
+    """Some names that begin as the wrong one does."""
+    start = channel.split(".")[0]
+    alike = [name for name in names if name.startswith(start + ".")][:6]
+    return f" summary.json has, for example, {listed(alike)}." if alike else ""

@@ -1,0 +1,340 @@
+"""Studies on this machine, with the stand-in for the program."""
+
+import json
+import signal
+import time
+
+import pytest
+from conftest import STUDY
+
+from nilas.study.describe.plan import Plan
+from nilas.study.describe.read_study import read_study
+
+SLOW = STUDY + "set: {test/@steps: 25}\nrun: {checkpoint_every: 1}\n"
+FAILING = """\
+name: trial
+scene: scene.xml
+factors:
+  case:
+    values: {good: {test/@x: 1}, bad: {test/@fail: 3}, better: {test/@x: 2}}
+seeds: 2
+responses: [{channel: ice_load.along.mean_N, name: load}]
+"""
+
+
+def records(desk, out="runs/trial"):
+    return {
+        str(file.parent.relative_to(desk.folder / out / "runs")): json.loads(file.read_text())
+        for file in (desk.folder / out / "runs").rglob("record.json")
+    }
+
+
+def wait_for(condition, seconds=120.0):
+    end = time.monotonic() + seconds
+    while not condition():
+        assert time.monotonic() < end, "nothing happened in time"
+        time.sleep(0.02)
+
+
+def test_tables_are_the_same_for_any_number_of_runs_at_a_time(desk):
+    desk.write()
+    for jobs, out in (("1", "one"), ("2", "two"), ("5", "five")):
+        code, text = desk.run("-j", jobs, "--out", out)
+        assert code == 0, text
+    for name in ("study.csv", "points.csv"):
+        assert desk.table("one", name) == desk.table("two", name) == desk.table("five", name)
+    assert desk.table("one").splitlines()[0] == "run,point,x,y,seed,status,exit_code,message,load"
+    assert len(desk.table("one").splitlines()) == 13
+
+
+def test_numbers_of_the_table_read_back_to_the_same_bits(desk):
+    desk.write()
+    assert desk.run()[0] == 0
+    stored = {
+        name: record["values"]["ice_load.along.mean_N"] for name, record in records(desk).items()
+    }
+    for line in desk.table().splitlines()[1:]:
+        cells = line.split(",")
+        assert float(cells[-1]) == stored[cells[0]]
+
+
+def test_finished_runs_are_not_repeated(desk):
+    desk.write()
+    desk.run()
+    before = records(desk)
+    code, text = desk.run("-j", "2")
+    assert code == 0 and "12 runs are finished already" in text
+    assert records(desk) == before
+
+
+def test_ctrl_c_lets_runs_write_checkpoints_and_the_same_command_resumes_them(desk):
+    desk.write(SLOW)
+    assert desk.run("--out", "whole", "-j", "3")[0] == 0
+    process = desk.start("-j", "2")
+    runs = desk.folder / "runs/trial/runs"
+    wait_for(lambda: len(records(desk)) >= 3 and _all_stored(runs))
+    process.send_signal(signal.SIGINT)
+    errors = process.communicate(timeout=120)[1]
+    assert process.returncode == 130 and "The same command continues it" in errors
+    stopped = [file.parent for file in runs.rglob("begun.json")]
+    assert stopped and all((folder / "checkpoint.h5").exists() for folder in stopped)
+    code, text = desk.run("-j", "2")
+    assert code == 0, text
+    resumed = {name: record["values"]["sessions"] for name, record in records(desk).items()}
+    assert all(resumed[str(folder.relative_to(runs))] == 2 for folder in stopped)
+    assert desk.table() == desk.table("whole")
+
+
+def _all_stored(runs):
+    """Whether two runs are under way and both have a checkpoint."""
+    begun = [file.parent for file in runs.rglob("begun.json")]
+    return len(begun) == 2 and all((folder / "checkpoint.h5").exists() for folder in begun)
+
+
+def test_a_study_that_is_killed_continues_and_its_runs_stop_with_it(desk):
+    desk.write(SLOW)
+    assert desk.run("--out", "whole", "-j", "3")[0] == 0
+    process = desk.start("-j", "2")
+    runs = desk.folder / "runs/trial/runs"
+    wait_for(lambda: len(records(desk)) >= 2 and len(list(runs.rglob("checkpoint.h5"))) > 2)
+    process.kill()
+    process.communicate()
+    # The system tells the runs that the study died; they store a checkpoint and end.
+    wait_for(lambda: _is_quiet(desk))
+    done = records(desk)
+    code, text = desk.run("-j", "2")
+    assert code == 0, text
+    assert {name: records(desk)[name] for name in done} == done
+    assert desk.table() == desk.table("whole")
+
+
+def _is_quiet(desk):
+    before = {file: file.stat().st_mtime_ns for file in desk.folder.rglob("checkpoint.h5")}
+    time.sleep(0.2)
+    return before == {file: file.stat().st_mtime_ns for file in desk.folder.rglob("checkpoint.h5")}
+
+
+def test_a_run_that_cannot_be_continued_begins_again(desk):
+    desk.write(SLOW)
+    plan = Plan(read_study(desk.folder / "study.yaml", desk.folder / "runs/trial"))
+    process = desk.start()
+    folder = plan.folder(plan.run(plan.points[0], 0))
+    wait_for((folder / "checkpoint.h5").exists)
+    process.send_signal(signal.SIGTERM)
+    process.communicate(timeout=120)
+    assert process.returncode == 130
+    (folder / "checkpoint.h5").write_text("torn")
+    code, text = desk.run("-j", "3")
+    assert code == 0 and "cannot be continued and begins again" in text
+
+
+def test_a_run_of_another_scene_is_not_resumed(desk):
+    desk.write(SLOW)
+    process = desk.start()
+    wait_for(lambda: list(desk.folder.rglob("checkpoint.h5")))
+    process.send_signal(signal.SIGINT)
+    process.communicate(timeout=120)
+    desk.write(SLOW.replace("steps: 25", "steps: 2"))
+    code, text = desk.run("-j", "3")
+    if "were made of another scene" in text:
+        code, text = desk.run("-j", "3", "--force")
+    assert code == 0, text
+    assert all(record["values"]["sessions"] == 1 for record in records(desk).values())
+
+
+def test_a_failing_run_in_the_middle_is_recorded_and_stops_nothing(desk):
+    desk.write(FAILING)
+    code, text = desk.run("-j", "2", page=True)
+    assert code == 3
+    assert "2 of 6 runs failed" in text
+    assert "case-bad/seed-1: error: OUT/runs/case-bad/seed-1: the ice left finite numbers" in text
+    lines = desk.table().splitlines()
+    assert [line.split(",")[4] for line in lines[1:]] == ["done"] * 2 + ["failed"] * 2 + [
+        "done"
+    ] * 2
+    assert lines[3].endswith(
+        ",failed,3,error: OUT/runs/case-bad/seed-1: the ice left finite numbers,"
+    )
+    page = desk.table(name="study.html")
+    assert "Failed runs" in page and "the ice left finite numbers" in page
+
+
+def test_what_fails_by_its_numerics_is_repeated_only_on_request(desk):
+    desk.write(FAILING)
+    desk.run()
+    before = records(desk)
+    assert desk.run()[0] == 3
+    assert records(desk) == before
+    assert desk.run("--retry-failed")[0] == 3
+    after = records(desk)
+    repeated = [
+        name for name in before if before[name]["times"]["begun"] != after[name]["times"]["begun"]
+    ]
+    assert all("bad" in name for name in repeated)
+
+
+def test_what_a_signal_ended_is_tried_again(desk):
+    desk.write(FAILING.replace("test/@fail: 3", "test/@die: true"))
+    code, text = desk.run()
+    assert code == 3 and "Signal SIGKILL ended the program" in text
+    desk.write(FAILING.replace("test/@fail: 3", "test/@die: true"))
+    assert "4 runs are finished already; 2 are to be made" in desk.run()[1]
+
+
+def test_a_run_that_takes_too_long_is_ended_and_recorded(desk):
+    desk.write(FAILING.replace("test/@fail: 3", "test/@steps: 2000") + "run: {limit_s: 1.5}\n")
+    code, text = desk.run("-j", "2")
+    assert code == 3 and "The run took longer than limit_s, 1.5 s." in text
+    assert desk.table().count(",failed,124,") == 2
+
+
+def test_a_value_that_the_program_refuses_is_told_before_the_first_run(desk):
+    desk.write(STUDY.replace("[1, 2, 3]", "[1, 2, 99]"))
+    code, text = desk.run()
+    assert code == 2
+    assert "study.yaml:4: factors.x: the value 99 is refused" in text and "99 is too large" in text
+    assert not records(desk)
+
+
+def test_a_path_that_the_scene_does_not_have_is_told_with_its_line(desk):
+    desk.write(STUDY.replace("test/@y", "test/@why"))
+    code, text = desk.run()
+    assert code == 2 and "study.yaml:5: factors.why" in text and "there is no such element" in text
+
+
+def test_a_changed_scene_is_not_mixed_with_old_runs(desk):
+    desk.write()
+    desk.run()
+    (desk.folder / "scene.xml").write_text('<scene version="1" name="other"/>')
+    code, text = desk.run()
+    assert code == 2 and "12 finished runs" in text and "--force" in text
+    assert desk.run("--force")[0] == 0
+    assert desk.run()[0] == 0
+
+
+def test_a_changed_input_of_the_scene_counts_as_a_changed_scene(desk):
+    (desk.folder / "scene.xml").write_text('<scene version="1"><vessel hull="hull.stl"/></scene>')
+    (desk.folder / "hull.stl").write_text("one")
+    desk.write()
+    desk.run()
+    (desk.folder / "hull.stl").write_text("two")
+    assert desk.run()[0] == 2
+
+
+def test_more_levels_add_runs_and_repeat_none(desk):
+    desk.write()
+    desk.run()
+    before = records(desk)
+    desk.write(STUDY.replace("[1, 2, 3]", "[1, 2, 3, 4]"))
+    code, text = desk.run()
+    assert code == 0 and "12 runs are finished already; 4 are to be made" in text
+    assert {name: records(desk)[name] for name in before} == before
+
+
+def test_seeds_are_added_until_the_mean_is_known(desk):
+    # The noise has a deviation of 1 about 10 or 13: an error of
+    # 2 % needs some 15 seeds, one of 10 % three.
+    rule = "seeds: {count: 3, until: {response: load, relative_error: %s, most: 40}}\n"
+    desk.write(STUDY.replace("seeds: 2\n", rule % "0.1").replace("[1, 2, 3]", "[1]"))
+    assert desk.run()[0] == 0
+    few = len(records(desk))
+    desk.write(STUDY.replace("seeds: 2\n", rule % "0.02").replace("[1, 2, 3]", "[1]"))
+    assert desk.run("-j", "3")[0] == 0
+    assert len(records(desk)) > few >= 6
+    header, *lines = (line.split(",") for line in desk.table(name="points.csv").splitlines())
+    mean, error = header.index("load_mean"), header.index("load_standard_error")
+    assert all(float(line[error]) <= 0.02 * float(line[mean]) for line in lines)
+    again = desk.table()
+    assert desk.run("-j", "1", "--out", "other")[0] == 0
+    assert desk.table("other") == again
+
+
+@pytest.mark.parametrize(
+    ("keep", "files"),
+    [
+        ("all", {"nilas.log", "record.json", "scene.xml", "summary.json", "vessel.csv"}),
+        ("summary", {"nilas.log", "record.json", "scene.xml", "summary.json"}),
+        ("record", {"record.json"}),
+    ],
+)
+def test_what_stays_of_a_run(desk, keep, files):
+    desk.write(STUDY + f"run: {{keep: {keep}}}\n")
+    assert desk.run()[0] == 0
+    folder = desk.folder / "runs/trial/runs/x-1_y-0/seed-1"
+    assert {file.name for file in folder.iterdir()} == files
+
+
+def test_parts_hold_the_records_of_many_runs_and_nothing_else_stays(desk):
+    desk.write()
+    desk.run("--out", "folders")
+    desk.write(STUDY + "run: {keep: nothing}\njob: {points: 2}\n")
+    assert desk.run("-j", "2", "--out", "parts")[0] == 0
+    assert desk.table("parts") == desk.table("folders")
+    assert [path.name for path in (desk.folder / "parts/runs").iterdir()] == []
+    assert len(list((desk.folder / "parts/parts").iterdir())) == 3
+    code, text = desk.run("--out", "parts")
+    assert code == 0 and "12 runs are finished already; 0 are to be made" in text
+
+
+def test_a_column_of_a_table_can_be_a_response(desk):
+    # The stand-in writes 1, 3, -8 at 0.1, 0.2, 0.3 s.
+    responses = """responses:
+  - {column: contact_fx_N, statistic: largest, name: largest}
+  - {column: contact_fx_N, statistic: mean, to_s: 0.25, name: early}
+  - {column: contact_fx_N, statistic: p99, name: p99}
+"""
+    desk.write(STUDY[: STUDY.index("responses")] + responses)
+    assert desk.run()[0] == 0
+    assert desk.table().splitlines()[1].endswith(",done,0,,8,2,7.9")
+
+
+def test_a_response_that_no_run_has_is_told_with_names_that_exist(desk):
+    desk.write(STUDY.replace("along.mean_N", "along.mean"))
+    code, text = desk.run()
+    assert code == 2
+    assert "study.yaml:8: responses.load" in text and "ice_load.along.mean_N" in text
+    # The runs are done: with the right name no run is repeated.
+    desk.write()
+    code, text = desk.run()
+    assert code == 0 and "12 runs are finished already" in text
+
+
+def test_two_processes_do_not_carry_out_one_study(desk):
+    desk.write(SLOW)
+    first = desk.start()
+    wait_for(
+        lambda: (
+            (desk.folder / "runs/trial/study.lock").exists()
+            and list(desk.folder.rglob("begun.json"))
+        )
+    )
+    code, text = desk.run()
+    assert code == 4 and "Another process is carrying out the study" in text
+    first.send_signal(signal.SIGINT)
+    first.communicate(timeout=120)
+
+
+def test_the_plan_and_the_state_are_told(desk):
+    desk.write()
+    code, text = desk.run("--dry-run")
+    assert (
+        code == 0 and "6 points (full), 2 seeds each: 12 runs." in text and "x-1_y-0/seed-1" in text
+    )
+    assert not (desk.folder / "runs/trial/runs").exists()
+    desk.run()
+    assert "12 of 12 runs done" in desk.run("--status")[1]
+    assert "From 12 finished runs, a run takes" in desk.run("--dry-run")[1]
+
+
+def test_each_record_says_what_made_the_run(desk):
+    desk.write()
+    desk.run()
+    record = records(desk)["x-1_y-0/seed-1"]
+    origin = record["provenance"]
+    assert (
+        origin["program"]["version"].startswith("nilas") and len(origin["program"]["sha256"]) == 64
+    )
+    assert len(origin["scene_sha256"]) == len(origin["scene_as_run_sha256"]) == 64
+    assert origin["machine"]["name"] and origin["machine"]["cores"] >= 1
+    assert origin["command"][1] == "run" and "test/@x=1" in origin["command"]
+    assert record["overrides"] == {"test/@x": "1", "test/@y": "0"}

@@ -1,0 +1,51 @@
+"""The reference names every key, option and file of a study."""
+
+from pathlib import Path
+
+import pytest
+
+from nilas.study import command
+from nilas.study.describe import read_factors, read_responses, read_study
+from nilas.study.describe.study import DESIGNS, KEEPS, STATISTICS
+
+DOCS = Path(__file__).resolve().parents[3] / "docs"
+KEYS = {
+    *read_study.TOP_KEYS,
+    *read_study.DESIGN_KEYS,
+    *read_study.SEEDS_KEYS,
+    *(f"until.{key}" for key in read_study.UNTIL_KEYS),
+    *read_study.RUN_KEYS,
+    *read_study.JOB_KEYS,
+    *read_factors.FACTOR_KEYS,
+    *read_responses.RESPONSE_KEYS,
+    *DESIGNS,
+    *KEEPS,
+    *STATISTICS,
+}
+
+
+def test_the_reference_has_every_key():
+    page = (DOCS / "reference/study.md").read_text()
+    assert not [key for key in sorted(KEYS) if f"`{key}`" not in page]
+
+
+def test_the_reference_has_every_option():
+    page = (DOCS / "reference/study.md").read_text()
+    options = [
+        name
+        for action in command._parser()._actions
+        if action.help != "==SUPPRESS=="
+        for name in action.option_strings
+        if name.startswith("--") and name != "--help"
+    ]
+    assert len(options) > 10
+    assert not [name for name in options if f"`{name}" not in page and f"{name} N`" not in page]
+
+
+@pytest.mark.parametrize("name", ["concentration-speed"])
+def test_the_examples_are_valid_and_stand_on_the_page(name):
+    file = DOCS.parent / "examples/studies" / f"{name}.yaml"
+    read_study.read_study(file)
+    page = (DOCS / "howto/run-a-study.md").read_text()
+    lines = [line for line in file.read_text().splitlines() if not line.startswith("#")]
+    assert "\n".join(lines) in page
