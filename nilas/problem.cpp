@@ -74,7 +74,8 @@ contact::FclibProblem stored(std::variant<contact::LocalProblem, contact::Contac
 namespace library {
 
 VecX impulses_of(const Problem::Content& content, std::span<const double> r) {
-  demand_size("the list of impulses", r.size(), static_cast<std::size_t>(contact::row_of(content.stored.num_contacts())));
+  demand_size("the list of impulses", r.size(),
+              static_cast<std::size_t>(contact::row_of(content.stored.num_contacts())));
   demand_finite("the list of impulses", r);
   return vector_of(r);
 }
@@ -118,8 +119,7 @@ Problem Problem::local(std::span<const double> W, std::span<const double> q, std
 }
 
 Problem Problem::read(const std::filesystem::path& file) {
-  return library::translated(
-      [&] { return Problem(std::make_unique<Content>(Content{contact::read_fclib(file)})); });
+  return library::translated([&] { return Problem(std::make_unique<Content>(Content{contact::read_fclib(file)})); });
 }
 
 int Problem::add_body(std::span<const double> mass, std::span<const double> momentum) {
@@ -145,8 +145,8 @@ int Problem::add_body(std::span<const double> mass, std::span<const double> mome
   });
 }
 
-int Problem::add_contact(int body_a, std::span<const double> jacobian_a, int body_b,
-                         std::span<const double> jacobian_b, std::span<const double> w, double mu) {
+int Problem::add_contact(int body_a, std::span<const double> jacobian_a, int body_b, std::span<const double> jacobian_b,
+                         std::span<const double> w, double mu) {
   return library::translated([&] {
     auto* const global = std::get_if<contact::ContactProblem>(&content_->stored.problem);
     if (!global) refuse("a problem in its local form takes no contacts");
@@ -183,8 +183,8 @@ std::vector<double> Problem::mu() const {
 std::vector<double> Problem::delassus() const {
   return library::translated([&] {
     if (num_contacts() > k_most_for_delassus)
-      refuse("the Delassus operator of " + std::to_string(num_contacts()) + " contacts is too large; allowed: " +
-             std::to_string(k_most_for_delassus));
+      refuse("the Delassus operator of " + std::to_string(num_contacts()) +
+             " contacts is too large; allowed: " + std::to_string(k_most_for_delassus));
     const auto dense = [](const contact::LocalProblem& local) {
       const RowMajorMatrix matrix = contact::sparse_matrix(local);
       return std::vector<double>(matrix.data(), matrix.data() + matrix.size());

@@ -33,8 +33,7 @@ struct RunWriter::Content {
 RunWriter::RunWriter(const Simulation& simulation, const std::filesystem::path& folder, bool force) {
   if (simulation.steps() > 0)
     throw Error(ErrorKind::input, "a run folder holds a whole run: make it before the first step");
-  content_ =
-      library::translated([&] { return std::make_unique<Content>(*simulation.content_, folder, force); });
+  content_ = library::translated([&] { return std::make_unique<Content>(*simulation.content_, folder, force); });
 }
 RunWriter::RunWriter(RunWriter&&) noexcept = default;
 RunWriter::~RunWriter() = default;

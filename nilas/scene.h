@@ -10,7 +10,8 @@
 
 namespace nilas {
 
-/// A value that replaces one of the scene, as (contact/@tolerance, 1e-8). docs/reference/command-line.md describes --set.
+/// A value that replaces one of the scene, as (contact/@tolerance, 1e-8). docs/reference/command-line.md describes
+/// --set.
 using Setting = std::pair<std::string, std::string>;
 
 class NILAS_API Scene {
@@ -29,11 +30,11 @@ class NILAS_API Scene {
   ~Scene();
 
   const std::string& name() const;
-  double start() const;               ///< [s]
-  double end() const;                 ///< [s]
-  double step() const;                ///< [s]
-  std::string xml() const;            ///< the scene with every default written out
-  std::string fingerprint() const;    ///< SHA-256 of all that the states of a run depend on
+  double start() const;                       ///< [s]
+  double end() const;                         ///< [s]
+  double step() const;                        ///< [s]
+  std::string xml() const;                    ///< the scene with every default written out
+  std::string fingerprint() const;            ///< SHA-256 of all that the states of a run depend on
   std::vector<std::string> notes() const;     ///< stand-ins and defaults that follow from the scene, as sentences
   std::vector<std::string> warnings() const;  ///< values that are valid but implausible, with their places
 

@@ -9,7 +9,7 @@ namespace nilas {
 
 struct AttributeInfo {
   std::string name;
-  std::string type;  ///< number, integer, boolean, text, name, words, choice, path or hull
+  std::string type;                  ///< number, integer, boolean, text, name, words, choice, path or hull
   int min_count = 1, max_count = 1;  ///< numbers or words that its value has; max_count -1: no limit
   std::string unit;                  ///< empty: none
   std::string default_value;         ///< empty: none

@@ -8,8 +8,8 @@
 
 #include "contact/solved_problem.h"
 #include "core/output/tables/steps_csv.h"
-#include "core/sim/build/module_list.h"
 #include "core/scene/time_steps.h"
+#include "core/sim/build/module_list.h"
 #include "nilas/problem_content.h"
 #include "nilas/scene_content.h"
 #include "nilas/simulation_content.h"
@@ -20,7 +20,8 @@ namespace nilas {
 
 namespace {
 
-/// The modules of every scene, then one that shows the channels of commands, and applied loads where they are asked for.
+/// The modules of every scene, then one that shows the channels of commands, and applied loads where they are asked
+/// for.
 sim::ModuleList modules_of(const SimulationSettings& settings, const std::shared_ptr<library::WaitingLoads>& waiting,
                            std::shared_ptr<Channels>& commands) {
   sim::ModuleList list = sim::scene_modules();
@@ -92,8 +93,9 @@ Simulation::Content::Content(const Scene& of, const SimulationSettings& given)
 
 Simulation::Content::Use::Use(const Content& content) : in_use_(content.in_use) {
   if (::getpid() != content.process)
-    throw Error(ErrorKind::input, "a simulation cannot be used in a process that was forked after it was built; build "
-                                  "it there");
+    throw Error(ErrorKind::input,
+                "a simulation cannot be used in a process that was forked after it was built; build "
+                "it there");
   if (in_use_.exchange(true)) throw Error(ErrorKind::input, "another thread uses this simulation at the same time");
 }
 Simulation::Content::Use::~Use() { in_use_.store(false); }
@@ -188,8 +190,8 @@ void Simulation::apply(int body, const Vector3& force, const Vector3& torque, co
   if (!content_->settings.applied_loads)
     throw Error(ErrorKind::input, "loads cannot be applied: build the simulation with applied_loads");
   if (body < 0 || body >= all.size())
-    throw Error(ErrorKind::input, "there is no body " + std::to_string(body) + "; allowed: 0 to " +
-                                      std::to_string(all.size() - 1));
+    throw Error(ErrorKind::input,
+                "there is no body " + std::to_string(body) + "; allowed: 0 to " + std::to_string(all.size() - 1));
   demand_finite("force", force);
   demand_finite("torque", torque);
   if (point) demand_finite("point", *point);

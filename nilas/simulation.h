@@ -51,12 +51,12 @@ struct VesselStep {
 
 /// What one step did.
 struct Step {
-  long number = 0;         ///< the first is 1
-  double time = 0;         ///< at its end [s]
+  long number = 0;  ///< the first is 1
+  double time = 0;  ///< at its end [s]
   int contacts = 0, floes = 0, iterations = 0;
-  bool solved = true;      ///< whether the solver reached the scene's tolerance
-  std::string message;     ///< why not
-  double residual = 0;     ///< of the contact law [m/s]
+  bool solved = true;   ///< whether the solver reached the scene's tolerance
+  std::string message;  ///< why not
+  double residual = 0;  ///< of the contact law [m/s]
   std::uint64_t state_hash = 0;
   std::vector<double> numbers;         ///< in the order of Simulation::step_columns()
   std::vector<double> vessel_numbers;  ///< in the order of Simulation::vessel_columns()
@@ -135,8 +135,8 @@ class NILAS_API Simulation {
 /// Writes a run folder like that of `nilas run`, with the same numbers.
 class NILAS_API RunWriter {
  public:
-  /// Creates the folder and writes the state at the start. The simulation must have taken no step yet, and outlive this.
-  /// force: files of an earlier run there are replaced. Throws Error.
+  /// Creates the folder and writes the state at the start. The simulation must have taken no step yet, and outlive
+  /// this. force: files of an earlier run there are replaced. Throws Error.
   RunWriter(const Simulation& simulation, const std::filesystem::path& folder, bool force = false);
   RunWriter(RunWriter&&) noexcept;
   ~RunWriter();

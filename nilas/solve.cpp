@@ -64,8 +64,8 @@ contact::SolverSettings settings_of(const SolveSettings& given) {
 
 /// The measured residual decides, whatever the solver says of itself.
 contact::SolveStatus judged(const contact::ContactSolution& solution, const Residuals& residuals, double tolerance) {
-  const bool is_wrong = solution.status == contact::SolveStatus::converged && tolerance > 0 &&
-                        !(residuals.law_map_m_s <= tolerance);
+  const bool is_wrong =
+      solution.status == contact::SolveStatus::converged && tolerance > 0 && !(residuals.law_map_m_s <= tolerance);
   return is_wrong ? contact::SolveStatus::stalled : solution.status;
 }
 

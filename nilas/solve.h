@@ -15,13 +15,13 @@
 namespace nilas {
 
 struct SolveSettings {
-  std::string solver = "auto";   ///< a name of solver_list()
-  std::string law = "coulomb";   ///< coulomb, ccp, pyramid, pyramid-K with K facets, or frictionless
-  double tolerance = 1e-8;       ///< on Residuals::law_map_m_s [m/s]
-  int max_iterations = 100000;   ///< at least 1
-  double max_seconds = 60;       ///< of wall time; 0: no limit [s]
-  int threads = 1;               ///< at least 1; the results do not depend on it
-  bool keep_history = false;     ///< whether Solution::history is filled
+  std::string solver = "auto";  ///< a name of solver_list()
+  std::string law = "coulomb";  ///< coulomb, ccp, pyramid, pyramid-K with K facets, or frictionless
+  double tolerance = 1e-8;      ///< on Residuals::law_map_m_s [m/s]
+  int max_iterations = 100000;  ///< at least 1
+  double max_seconds = 60;      ///< of wall time; 0: no limit [s]
+  int threads = 1;              ///< at least 1; the results do not depend on it
+  bool keep_history = false;    ///< whether Solution::history is filled
 };
 
 struct Solution {
@@ -41,7 +41,8 @@ struct Solution {
 /// Solves a problem. guess: 3 nc impulses to begin with, or empty. A problem that is not solved is no error: see
 /// Solution::status. Throws Error for unknown names, for a law or a problem that the solver does not take, and where
 /// sizes or numbers are wrong.
-NILAS_API Solution solve(const Problem& problem, const SolveSettings& settings = {}, std::span<const double> guess = {});
+NILAS_API Solution solve(const Problem& problem, const SolveSettings& settings = {},
+                         std::span<const double> guess = {});
 
 /// Measures impulses, 3 nc [N s]. Throws Error.
 NILAS_API Residuals measure(const Problem& problem, std::span<const double> impulses,

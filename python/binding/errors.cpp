@@ -1,5 +1,4 @@
 #include "nilas/error.h"
-
 #include "python/binding/module.h"
 
 namespace nilas::python {

@@ -130,8 +130,9 @@ void bind_solution(py::module_& module) {
       .def_property_readonly(
           "history", [](const Solution& self) { return array_of(self.history); },
           "The residual after each iteration [m/s]; empty unless it was asked for.")
-      .def_property_readonly("residuals", [](const Solution& self) { return dict_of(self.residuals); },
-                             "Residuals by name, measured independently of the solver.")
+      .def_property_readonly(
+          "residuals", [](const Solution& self) { return dict_of(self.residuals); },
+          "Residuals by name, measured independently of the solver.")
       .def("__repr__", [](const Solution& self) {
         return "<nilas.Solution " + self.status + " after " + std::to_string(self.iterations) + " iterations>";
       });

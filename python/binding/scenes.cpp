@@ -49,8 +49,8 @@ void bind_scenes(py::module_& module) {
   py::class_<Scene>(module, "CheckedScene", "A scene that was read and checked, with every default filled in.")
       .def_static("read", &Scene::read, py::arg("file"), py::arg("settings") = std::vector<Setting>(),
                   py::arg("scale") = 1.0)
-      .def_static("parse", &Scene::parse, py::arg("xml"), py::arg("name"),
-                  py::arg("settings") = std::vector<Setting>(), py::arg("scale") = 1.0)
+      .def_static("parse", &Scene::parse, py::arg("xml"), py::arg("name"), py::arg("settings") = std::vector<Setting>(),
+                  py::arg("scale") = 1.0)
       .def_property_readonly("name", &Scene::name)
       .def_property_readonly("start", &Scene::start, "[s]")
       .def_property_readonly("end", &Scene::end, "[s]")

@@ -51,7 +51,8 @@ void bind_bodies(py::module_& module) {
       .def_readonly("id", &BodyStates::id)
       .def_readonly("name", &BodyStates::name)
       .def_readonly("kind", &BodyStates::kind, "floe, rigid, wall or vessel")
-      .def_property_readonly("mass", [](const BodyStates& self) { return array_of(self.mass); }, "(n,) [kg]")
+      .def_property_readonly(
+          "mass", [](const BodyStates& self) { return array_of(self.mass); }, "(n,) [kg]")
       .def_property_readonly(
           "position", [](const BodyStates& self) { return rows_of(self.position, 3); }, "(n, 3) centre of mass [m]")
       .def_property_readonly(
@@ -96,8 +97,8 @@ void bind_simulation(py::module_& module) {
       .def("snapshot", &Simulation::snapshot)
       .def("restore", &Simulation::restore, py::arg("snapshot"));
   py::class_<RunWriter>(module, "RunWriter")
-      .def(py::init<const Simulation&, const std::filesystem::path&, bool>(), py::arg("simulation"),
-           py::arg("folder"), py::arg("force") = false, py::keep_alive<1, 2>())
+      .def(py::init<const Simulation&, const std::filesystem::path&, bool>(), py::arg("simulation"), py::arg("folder"),
+           py::arg("force") = false, py::keep_alive<1, 2>())
       .def("record", &RunWriter::record)
       .def("finish", &RunWriter::finish, py::arg("status") = "done");
 }

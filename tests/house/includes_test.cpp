@@ -1,7 +1,8 @@
 /// Rules about folders that a file's includes show. The top folders depend on each other in one direction only:
 ///   apps -> core/output -> core/sim -> fracture -> contact -> core/{bodies, hdf5};
 ///   core/sim -> {hydro, core/vessel, core/hull, core/field, core/scene}; apps -> core/mesh -> core/geometry ->
-///   core/base; python -> nilas -> core/output. Choices and defaults that the scene and the modules share lie in core/choices, above core/base.
+///   core/base; python -> nilas -> core/output. Choices and defaults that the scene and the modules share lie in
+///   core/choices, above core/base.
 /// No two folders at any depth include each other, directly or indirectly, and no folder is crowded.
 #include <gtest/gtest.h>
 
@@ -39,12 +40,16 @@ const std::map<std::string, Rooms>& allowed() {
       solving, {"core/scene", "core/hdf5", "contact", "hydro", "fracture", "core/vessel", "core/hull", "core/field"});
   static const Rooms output = joined(sim, {"core/sim"});
   static const Rooms apps = joined(output, {"core/output", "core/mesh"});
-  static const std::map<std::string, Rooms> table{
-      {"core/base", {}},       {"core/choices", {"core/base"}}, {"core/numerics", base}, {"core/hdf5", base},
-      {"core/geometry", base}, {"core/bodies", geometry},       {"core/mesh", bodies},   {"core/scene", bodies},
-      {"core/hull", bodies},   {"core/vessel", solving},        {"core/field", bodies},  {"contact", contact},
-      {"hydro", water},        {"fracture", fracture},          {"core/sim", sim},       {"core/output", output},
-      {"apps", apps},          {"nilas", joined(output, {"core/output"})}, {"python", {"nilas"}}};
+  static const std::map<std::string, Rooms> table{{"core/base", {}},       {"core/choices", {"core/base"}},
+                                                  {"core/numerics", base}, {"core/hdf5", base},
+                                                  {"core/geometry", base}, {"core/bodies", geometry},
+                                                  {"core/mesh", bodies},   {"core/scene", bodies},
+                                                  {"core/hull", bodies},   {"core/vessel", solving},
+                                                  {"core/field", bodies},  {"contact", contact},
+                                                  {"hydro", water},        {"fracture", fracture},
+                                                  {"core/sim", sim},       {"core/output", output},
+                                                  {"apps", apps},          {"nilas", joined(output, {"core/output"})},
+                                                  {"python", {"nilas"}}};
   return table;
 }
 

@@ -99,10 +99,18 @@ TEST(Solve, FaultsSayWhatIsAllowed) {
   EXPECT_EQ(kind_of([&] { nilas::solve(problem, {.threads = 0}); }, "at least 1"), ErrorKind::input);
   EXPECT_EQ(kind_of([&] { nilas::measure(problem, Numbers{NAN, 0, 0}); }, "not finite"), ErrorKind::input);
   EXPECT_EQ(kind_of([&] { problem.add_contact(0, {}, 0, {}, {}, 0.1); }, "allowed: 9"), ErrorKind::input);
-  EXPECT_EQ(kind_of([&] { problem.add_contact(-1, {}, 1, k_identity, Numbers{0, 0, 0}, 0.1); }, "no body 1"),
+  EXPECT_EQ(kind_of(
+                [&] {
+                  problem.add_contact(-1, {}, 1, k_identity, Numbers{0, 0, 0}, 0.1);
+                },
+                "no body 1"),
             ErrorKind::input);
   EXPECT_EQ(kind_of([&] { problem.add_body(Numbers{-1}, Numbers{0}); }, "positive definite"), ErrorKind::input);
-  EXPECT_EQ(kind_of([] { Problem::local(Numbers{1, 2}, Numbers{1, 2, 3}, Numbers{0.1}); }, "allowed: 9"),
+  EXPECT_EQ(kind_of(
+                [] {
+                  Problem::local(Numbers{1, 2}, Numbers{1, 2, 3}, Numbers{0.1});
+                },
+                "allowed: 9"),
             ErrorKind::input);
   EXPECT_EQ(kind_of([] { Problem::read("/no/such/file.hdf5"); }, "/no/such/file.hdf5"), ErrorKind::file);
   EXPECT_EQ(problem.num_contacts(), 1) << "what was refused must leave the problem as it was";

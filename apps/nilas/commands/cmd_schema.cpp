@@ -20,7 +20,8 @@ void add_schema(CLI::App& app, Action& action) {
   auto manual = std::make_shared<bool>(false);
   command->add_flag("--man", *manual, "Prints the manual page nilas(1) instead.");
   auto completion = std::make_shared<bool>(false);
-  command->add_flag("--completion", *completion, "Prints a script that completes commands and options in bash instead.");
+  command->add_flag("--completion", *completion,
+                    "Prints a script that completes commands and options in bash instead.");
   command->callback([&action, &app, markdown, commands, manual, completion] {
     action = [&app, markdown, commands, manual, completion] {
       std::cout << (*commands     ? command_reference(app)

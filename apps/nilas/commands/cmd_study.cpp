@@ -22,11 +22,11 @@ fs::path own_file() {
   return file;
 }
 
-/// The folder that holds the package for Python: in a build, beside the program; in a wheel, around it; else where
-/// Debian's Python looks for it by itself.
+/// The folder that holds the package for Python: in a build beside the program, in a wheel around it, in an
+/// installation below its prefix; else empty.
 fs::path package_folder(const fs::path& program) {
-  const fs::path beside = program.parent_path() / "python", around = program.parent_path().parent_path().parent_path();
-  for (const fs::path& folder : {beside, around})
+  const fs::path beside = program.parent_path() / "python", prefix = program.parent_path().parent_path();
+  for (const fs::path& folder : {beside, prefix.parent_path(), prefix / "lib/python3/dist-packages"})
     if (fs::exists(folder / "nilas" / "study" / "__main__.py")) return folder;
   return {};
 }
@@ -64,7 +64,8 @@ std::string interpreter() {
 
 void add_study(CLI::App& app, Action& action) {
   auto* command = app.add_subcommand(
-      "study", "Carries out a study: many runs of a scene over factors and seeds. `nilas study --help` lists its options.");
+      "study",
+      "Carries out a study: many runs of a scene over factors and seeds. `nilas study --help` lists its options.");
   command->prefix_command();
   command->set_help_flag();
   command->callback([&action, command] {

@@ -45,11 +45,11 @@ std::string options_of(const CLI::App& command) {
 }  // namespace
 
 std::string manual_page(const CLI::App& program, const std::string& version) {
-  std::string page = ".TH NILAS 1 \"\" \"nilas " + version + "\" \"User commands\"\n.SH NAME\nnilas \\- vessels and " +
-                     "structures in broken floating sea ice\n.SH SYNOPSIS\n.B nilas\n\\fIcommand\\fR [\\fIoptions\\fR]\n" +
-                     ".SH DESCRIPTION\n" + as_text(program.get_description()) +
-                     " A scene file describes what is simulated, and a run writes its results into a folder.\n" +
-                     ".SH COMMANDS\n";
+  std::string page =
+      ".TH NILAS 1 \"\" \"nilas " + version + "\" \"User commands\"\n.SH NAME\nnilas \\- vessels and " +
+      "structures in broken floating sea ice\n.SH SYNOPSIS\n.B nilas\n\\fIcommand\\fR [\\fIoptions\\fR]\n" +
+      ".SH DESCRIPTION\n" + as_text(program.get_description()) +
+      " A scene file describes what is simulated, and a run writes its results into a folder.\n" + ".SH COMMANDS\n";
   for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; }))
     page += ".SS nilas " + as_text(command->get_name()) + "\n" + as_text(command->get_description()) + "\n" +
             options_of(*command);

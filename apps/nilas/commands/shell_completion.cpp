@@ -36,8 +36,9 @@ std::string shell_completion(const CLI::App& program) {
     commands += (commands.empty() ? "" : " ") + command->get_name();
     cases += "    " + command->get_name() + ") words='" + long_names(*command) + "' ;;\n";
   }
-  return k_completion_head + ("  if [ \"$COMP_CWORD\" -eq 1 ]; then\n    mapfile -t COMPREPLY < <(compgen -W '" + commands +
-                   " --help --version' -- \"$word\")\n    return\n  fi\n  case $command in\n") +
+  return k_completion_head +
+         ("  if [ \"$COMP_CWORD\" -eq 1 ]; then\n    mapfile -t COMPREPLY < <(compgen -W '" + commands +
+          " --help --version' -- \"$word\")\n    return\n  fi\n  case $command in\n") +
          cases + k_completion_tail;
 }
 
