@@ -39,7 +39,16 @@ def test_a_window_has_the_rows_of_its_steps(small_run: nilas.Run) -> None:
 
 def test_columns_have_units_and_the_order_of_the_reference(small_run: nilas.Run) -> None:
     contacts = small_run.contacts
-    assert contacts.columns[:8] == "time_s step body other x_m y_m z_m hull_x_m".split()
+    assert contacts.columns[:8] == [
+        "time_s",
+        "step",
+        "body",
+        "other",
+        "x_m",
+        "y_m",
+        "z_m",
+        "hull_x_m",
+    ]
     assert contacts.units["impulse_x_Ns"] == "N s"
     assert "normal" in contacts.meanings["nx"]
     assert small_run.units("contacts") == contacts.units
