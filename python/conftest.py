@@ -28,6 +28,14 @@ def small_folder(small_scene: Path, tmp_path_factory: pytest.TempPathFactory) ->
     return folder
 
 
+@pytest.fixture(scope="session")
+def breaking_folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The folder of a run in which a sheet breaks, beside a fixed pier."""
+    folder = tmp_path_factory.mktemp("runs") / "breaking"
+    nilas.run(SCENES / "breaking.xml", out=folder, threads=1)
+    return folder
+
+
 @pytest.fixture
 def own_folder(small_folder: Path, tmp_path: Path) -> Path:
     """A copy of that folder, which a test may change."""
