@@ -8,8 +8,9 @@ import subprocess
 import sys
 import sysconfig
 from collections.abc import Iterable, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
-from typing import TYPE_CHECKING, NamedTuple
+from typing import IO, TYPE_CHECKING, NamedTuple
 
 from nilas.errors import NilasError
 
@@ -96,8 +97,8 @@ def call(
 ) -> Answer:
     """Runs ``nilas ARGUMENTS`` to its end and returns what it wrote.
 
-    ``folder``: the working folder of the command. ``echo``: what the command says while it works
-    is shown as well. Ctrl-C reaches the command, which finishes its files, and then raises
+    ``folder``: the working folder of the command. ``echo``: what the command says is also shown,
+    while it works. Ctrl-C reaches the command, which finishes its files, and then raises
     ``KeyboardInterrupt``. Raises ``Failed`` where the exit code is not 0, with the program's own
     message.
 
@@ -113,10 +114,18 @@ def call(
         cwd=folder,
         stdin=subprocess.DEVNULL,
         stdout=subprocess.PIPE,
-        stderr=None if echo else subprocess.PIPE,
+        stderr=subprocess.PIPE,
         text=True,
     )
-    output, messages = _wait(process, echo)
+    assert process.stdout is not None and process.stderr is not None
+    # Both streams are read while the command works, or it would wait when a pipe is full.
+    with ThreadPoolExecutor(2) as readers:
+        streams = [
+            readers.submit(_read, process.stdout, sys.stdout if echo else None),
+            readers.submit(_read, process.stderr, sys.stderr if echo else None),
+        ]
+        _wait(process)
+    output, messages = (stream.result() for stream in streams)
     if process.returncode != 0:
         raise Failed(words, process.returncode, messages, output)
     return Answer(output, messages)
@@ -138,14 +147,17 @@ def run(
 
     ``scene``: the XML file. ``out``: the run folder. ``settings``: attributes of the scene as
     ``--set`` takes them, ``{"vessel/carriage/@speed": 0.4}``. ``until``: end [s]. ``seed``: seed
-    of the ice. ``force``: an earlier run in the folder is replaced. ``options``: further options
+    of the ice. ``force``: an earlier run in the folder is replaced. ``echo``: what the program says
+    is shown. ``options``: further options
     of the command line. Raises ``Failed`` where the run fails or the scene has a fault.
 
     >>> first = run(small_scene, out="first", settings={"time/@end": 0.1})
     >>> first.status
     'done'
     """
-    words = [os.fspath(scene), "--out", os.fspath(out), "--quiet", *options]
+    words = [os.fspath(scene), "--out", os.fspath(out), *options]
+    if not echo:
+        words.append("--quiet")
     for path, value in (settings or {}).items():
         words += ["--set", f"{path}={_text(value)}"]
     for option, number in (("--until", until), ("--seed", seed), ("--threads", threads)):
@@ -197,18 +209,31 @@ def _on_search_path() -> Path | None:
     return None
 
 
-def _wait(process: subprocess.Popen[str], echo: bool) -> tuple[str, str]:
-    """Waits for the end. After Ctrl-C the command, which got the signal too, may finish its files.
+def _read(stream: IO[str], shown: IO[str] | None) -> str:
+    """All that a stream holds. Each line is also written to ``shown`` when it comes."""
+    lines = []
+    with stream:
+        for line in stream:
+            lines.append(line)
+            if shown is not None:
+                shown.write(line)
+                shown.flush()
+    return "".join(lines)
 
-    A second Ctrl-C ends it at once.
+
+def _wait(process: subprocess.Popen[str]) -> None:
+    """Waits for the end. After Ctrl-C the command may finish its files; a second one ends it.
+
+    A terminal sends the signal to the command too, but the interrupt of a notebook does not.
+    Two signals are to the command as one.
     """
     try:
-        output, messages = process.communicate()
+        process.wait()
     except KeyboardInterrupt:
         try:
-            process.communicate()
+            process.send_signal(signal.SIGINT)
+            process.wait()
         except KeyboardInterrupt:
             process.kill()
-            process.communicate()
+            process.wait()
         raise
-    return output, "" if echo else messages

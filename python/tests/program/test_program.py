@@ -77,8 +77,11 @@ def test_a_folder_that_holds_a_run_is_kept(small_scene: Path, own_folder: Path) 
     assert nilas.run(small_scene, out=own_folder, until=0.02, force=True).figures["steps"] == 2
 
 
-def test_ctrl_c_lets_the_run_finish_its_files(small_scene: Path, tmp_path: Path) -> None:
-    """A terminal sends the signal to Python and to the program. Here both get it at once."""
+@pytest.mark.parametrize("to_all", [True, False])
+def test_ctrl_c_lets_the_run_finish_its_files(
+    small_scene: Path, tmp_path: Path, to_all: bool
+) -> None:
+    """A terminal sends the signal to Python and to the program, a notebook to Python alone."""
     code = (
         "import nilas, sys\n"
         "try:\n"
@@ -99,10 +102,25 @@ def test_ctrl_c_lets_the_run_finish_its_files(small_scene: Path, tmp_path: Path)
         assert time.monotonic() < deadline
         time.sleep(0.05)
     assert nilas.Run(folder).status == "running"
-    os.killpg(process.pid, signal.SIGINT)
+    if to_all:
+        os.killpg(process.pid, signal.SIGINT)
+    else:
+        process.send_signal(signal.SIGINT)
     assert process.wait(60) == 77
     with pytest.warns(nilas.UnfinishedRun, match="was interrupted"):
         assert nilas.Run(folder).status == "interrupted"
+
+
+def test_what_the_program_says_is_shown_where_asked(
+    small_scene: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    nilas.run(small_scene, out=tmp_path / "quiet", until=0.02)
+    assert capsys.readouterr().out == ""
+    nilas.run(small_scene, out=tmp_path / "loud", until=0.02, echo=True)
+    assert "outputs" in capsys.readouterr().out
+    with pytest.raises(Failed, match="there is no such file or folder"):
+        nilas.call("check", tmp_path / "none.xml", echo=True)
+    assert "none.xml" in capsys.readouterr().err
 
 
 def test_import_is_quick_and_names_are_listed() -> None:
