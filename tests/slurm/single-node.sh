@@ -4,9 +4,9 @@
 # usage: tests/slurm/single-node.sh [STUDY.yaml]
 #
 # It needs root, Debian's packages slurm-wlm and munge, and Snakemake 8 or newer with its plugin for
-# Slurm. NILAS_SNAKEMAKE names that program; without it a virtual environment is made. The
-# configuration of Slurm is in a folder of its own, so that /etc/slurm stays as it is. All daemons
-# that it starts end with it. It is not part of CI, which has no root.
+# Slurm. NILAS_SNAKEMAKE names that program; without it a virtual environment is made. KEEP=1
+# leaves its files. A machine that has a Slurm of its own is left alone. All daemons that it starts
+# end with it, and the links in /etc/slurm are removed. It is not part of CI, which has no root.
 #
 # Exit code 0: both tables are equal. 77: this machine cannot run it, and why is told.
 set -euo pipefail
@@ -21,6 +21,9 @@ skip() { echo "skipped: $*" >&2; exit 77; }
 stop() {
   for pid in "${daemons[@]}"; do kill "$pid" 2>/dev/null || true; done
   wait 2>/dev/null || true
+  for file in slurm.conf cgroup.conf; do
+    [ "$(readlink /etc/slurm/$file)" = "$work/$file" ] && rm "/etc/slurm/$file"
+  done
   [ -n "${KEEP:-}" ] && echo "files: $work" || rm -rf "$work"
 }
 trap stop EXIT
@@ -70,7 +73,12 @@ NodeName=$(hostname -s) NodeAddr=127.0.0.1 CPUs=$(nproc) RealMemory=$memory Stat
 PartitionName=all Nodes=ALL Default=YES MaxTime=INFINITE State=UP
 CONF
   printf 'CgroupAutomount=no\n' >"$work/cgroup.conf"
-  export SLURM_CONF=$work/slurm.conf
+  # Steps of a job look for the configuration at its usual place.
+  mkdir -p /etc/slurm
+  for file in slurm.conf cgroup.conf; do
+    [ ! -e "/etc/slurm/$file" ] || skip "/etc/slurm/$file is there already: this machine has a Slurm of its own."
+    ln -s "$work/$file" "/etc/slurm/$file"
+  done
 }
 
 start() {
@@ -100,12 +108,13 @@ main() {
   export PYTHONPATH=$here/python
   local nilas=(/usr/bin/python3 -m nilas.study "$study")
   cd "$work"
-  "${nilas[@]}" --out "$work/local" -j "$(nproc)" --quiet
+  # Exit code 3: runs of the study fail, as they shall on both ways.
+  "${nilas[@]}" --out "$work/local" -j "$(nproc)" --quiet || [ $? = 3 ]
   "${nilas[@]}" --out "$work/slurm" --snakemake
   "$NILAS_SNAKEMAKE" -s "$work/slurm/Snakefile" --executor slurm --jobs 20 --slurm-no-account \
     --slurm-status-command squeue --seconds-between-status-checks 2 --slurm-init-seconds-before-status-checks 2 \
-    --latency-wait 20
-  grep -c 'COMPLETED\|_job_complete.*done' "$work/slurmctld.log" | sed 's/$/ jobs were completed by Slurm/'
+    --latency-wait 20 --keep-going >"$work/snakemake.log" 2>&1 || grep "runs failed" "$work/snakemake.log"
+  echo "$(grep -c '_job_complete.*done' "$work/slurmctld.log") jobs were completed by Slurm."
   cmp "$work/local/study.csv" "$work/slurm/study.csv"
   cmp "$work/local/points.csv" "$work/slurm/points.csv"
   echo "The tables of Slurm and of the local run are the same to the last digit."

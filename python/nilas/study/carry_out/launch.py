@@ -34,6 +34,7 @@ _TOO_SLOW = 124  # as the command timeout has it
 _CHECKPOINT = "checkpoint.h5"
 _KEPT_AS_SUMMARY = {"summary.json", "scene.xml", "nilas.log", "record.json"}
 _LONGEST_MESSAGE = 600
+_NO_REASON = re.compile(r"\W*warn|\d+ faults?$", re.IGNORECASE)
 
 
 @dataclass
@@ -179,8 +180,9 @@ class Launcher:
         if code < 0:
             return f"Signal {signal.Signals(-code).name} ended the program."
         lines = [line.strip() for line in text.splitlines() if line.strip()]
-        errors = [line for line in lines if "error" in line.lower()] or lines[-1:]
-        message = " ".join(errors) or f"The program ended with exit code {code} and no message."
+        # Warnings, and the last line that counts the faults, do not say why.
+        told = [line for line in lines if not _NO_REASON.match(line)] or lines
+        message = "; ".join(told) or f"The program ended with exit code {code} and no message."
         message = message.replace(str(self.plan.study.out), "OUT")
         return re.sub(r"\s+", " ", message)[:_LONGEST_MESSAGE]
 
