@@ -5,7 +5,7 @@ import signal
 import time
 
 import pytest
-from conftest import STUDY
+from study_desk import STUDY
 
 from nilas.study.describe.plan import Plan
 from nilas.study.describe.read_study import read_study

@@ -4,7 +4,7 @@ import re
 from html.parser import HTMLParser
 
 import pytest
-from conftest import STUDY
+from study_desk import STUDY
 
 from nilas.study.carry_out.records import Records
 from nilas.study.describe.plan import Plan

@@ -10,7 +10,7 @@ import shutil
 import subprocess
 
 import pytest
-from conftest import STUDY
+from study_desk import STUDY
 
 SNAKEMAKE = os.environ.get("NILAS_SNAKEMAKE") or shutil.which("snakemake")
 

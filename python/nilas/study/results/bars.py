@@ -53,7 +53,7 @@ def plot_shares(data: ResponseData, anova: Anova) -> str:
     axes.set_xlim(0, 1)
     axes.axis("off")
     shown = len(parts)
-    _legend_below(fig, min(shown, 3))
+    _legend_below(fig, min(shown, 4))
     return svg_of(fig, title=f"Shares of the scatter of {data.response.name}")
 
 

@@ -9,6 +9,7 @@ from nilas.study.carry_out.records import Records
 from nilas.study.describe.faults import listed, nearest
 from nilas.study.describe.plan import Plan
 from nilas.study.results.collected import Collected, collect
+from nilas.study.results.tables import why_no_parquet, write_tables
 
 _FAILED = 3
 _WRONG_INPUT = 2
@@ -25,10 +26,7 @@ def finish_study(
         if not quiet:
             print("\n".join(os.path.relpath(path) for path in written))
             if not any(path.suffix == ".parquet" for path in written):
-                print(
-                    "study.parquet was not written, since pyarrow is not installed (pip "
-                    "install pyarrow)."
-                )
+                print(f"study.parquet was not written: {why_no_parquet()}.")
     code = _tell_absent(collected, records)
     if collected.failed:
         _tell_failures(collected)
@@ -39,7 +37,6 @@ def finish_study(
 
 
 def _write(collected: Collected, page: bool) -> list:
-    from nilas.study.results.tables import write_tables
 
     written = write_tables(collected)
     if page:

@@ -122,13 +122,25 @@ def csv_text(header: Sequence[str], rows: Sequence[Sequence]) -> str:
     return stream.getvalue()
 
 
-def write_parquet(file: Path, header: list[str], rows: list[list]) -> bool:
-    """Writes the table as Parquet with typed columns. False where pyarrow is not installed."""
+def why_no_parquet() -> str:
+    """Why Parquet cannot be written here, or nothing."""
     try:
-        import pyarrow
-        import pyarrow.parquet
-    except ImportError:
+        import pyarrow.parquet  # noqa: F401
+    except ModuleNotFoundError:
+        return "pyarrow is not installed (pip install pyarrow)"
+    except ImportError as error:
+        # Its newest versions want a newer NumPy than Debian has.
+        return f"pyarrow does not work here: {error}"
+    return ""
+
+
+def write_parquet(file: Path, header: list[str], rows: list[list]) -> bool:
+    """Writes the table as Parquet with typed columns. False where pyarrow is missing."""
+    if why_no_parquet():
         return False
+    import pyarrow
+    import pyarrow.parquet
+
     columns = list(zip(*rows, strict=True)) if rows else [()] * len(header)
     arrays = [_array(pyarrow, column) for column in columns]
     other = file.with_name(file.name + ".part")

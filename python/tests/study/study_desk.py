@@ -1,0 +1,58 @@
+"""Studies for tests: in a folder of their own, with the stand-in for the program."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+PACKAGE = Path(__file__).resolve().parents[2]
+STAND_IN = Path(__file__).with_name("stand_in.py")
+STUDY = """\
+name: trial
+scene: scene.xml
+factors:
+  test/@x: [1, 2, 3]
+  test/@y: [0, 1]
+seeds: 2
+responses:
+  - {channel: ice_load.along.mean_N, name: load}
+"""
+
+
+class Desk:
+    """A folder with a scene, where studies are written and carried out."""
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder
+        (folder / "scene.xml").write_text('<scene version="1" name="test"/>')
+
+    def write(self, text: str = STUDY, name: str = "study.yaml") -> Path:
+        file = self.folder / name
+        file.write_text(text)
+        return file
+
+    def start(
+        self, *words: str, program: Path = STAND_IN, file: str = "study.yaml"
+    ) -> subprocess.Popen:
+        return subprocess.Popen(
+            [sys.executable, "-m", "nilas.study", file, "--program", str(program), *words],
+            cwd=self.folder,
+            env=os.environ | {"PYTHONPATH": str(PACKAGE)},
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+        )
+
+    def run(
+        self, *words: str, program: Path = STAND_IN, file: str = "study.yaml", page: bool = False
+    ) -> tuple[int, str]:
+        """Exit code and all that was printed. Pages take seconds, so few tests write one."""
+        words += () if page else ("--no-page",)
+        process = self.start(*words, program=program, file=file)
+        output, errors = process.communicate(timeout=300)
+        return process.returncode, output + errors
+
+    def table(self, out: str = "runs/trial", name: str = "study.csv") -> str:
+        return (self.folder / out / name).read_text()
