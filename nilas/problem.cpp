@@ -1,5 +1,6 @@
 #include "nilas/problem.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -82,6 +83,11 @@ VecX impulses_of(const Problem::Content& content, std::span<const double> r) {
 
 std::vector<double> listed(const VecX& x) { return {x.data(), x.data() + x.size()}; }
 
+void forget_impulses(Problem::Content& content) {
+  content.stored.guess.reset();
+  content.stored.solution.reset();
+}
+
 std::vector<double> in_order_of_file(const Problem::Content& content, const VecX& v) {
   std::vector<double> ordered(static_cast<std::size_t>(v.size()));
   for (Eigen::Index k = 0; k < v.size(); ++k) ordered[static_cast<std::size_t>(content.stored.dof_of_file[k])] = v[k];
@@ -137,6 +143,7 @@ int Problem::add_body(std::span<const double> mass, std::span<const double> mome
     if ((matrix - matrix.transpose()).cwiseAbs().maxCoeff() > 1e-9 * matrix.cwiseAbs().maxCoeff() ||
         factor.info() != Eigen::Success)
       refuse("the mass of a body is not symmetric and positive definite");
+    library::forget_impulses(*content_);
     const int body = global->add_block(matrix);
     global->f.tail(rows) = vector_of(momentum);
     for (Eigen::Index k = 0; k < rows; ++k)
@@ -165,7 +172,9 @@ int Problem::add_contact(int body_a, std::span<const double> jacobian_a, int bod
     demand_size("w", w.size(), 3);
     demand_finite("w", w);
     if (!(mu >= 0) || !std::isfinite(mu)) refuse("mu must be a finite number of 0 or above");
-    const int contact = global->add_contact(body_a, a, body_b, b, static_cast<std::uint64_t>(global->num_contacts()));
+    library::forget_impulses(*content_);
+    const auto largest = std::max_element(global->key.begin(), global->key.end());
+    const int contact = global->add_contact(body_a, a, body_b, b, largest == global->key.end() ? 0 : *largest + 1);
     global->mu.back() = global->mu_static.back() = mu;
     global->w.tail<3>() = vector_of(w);
     return contact;

@@ -17,6 +17,8 @@ namespace library {
 /// Throws Error where the impulses are not three finite numbers per contact.
 VecX impulses_of(const Problem::Content& content, std::span<const double> r);
 std::vector<double> listed(const VecX& x);
+/// Drops the guess and the solution that came with a problem, which no longer fit it.
+void forget_impulses(Problem::Content& content);
 /// Velocities of bodies in the order of the file or of add_body().
 std::vector<double> in_order_of_file(const Problem::Content& content, const VecX& v);
 

@@ -87,8 +87,13 @@ Simulation::Content::Content(const Scene& of, const SimulationSettings& given)
       process(::getpid()),
       waiting(std::make_shared<library::WaitingLoads>()),
       warning_counts(silent_logger()),
-      simulation(of.content().scene, given.threads, warning_counts, modules_of(given, waiting, commands)) {
-  if (simulation.info().has_vessel) channels.emplace(simulation.info());
+      simulation(built(commands)) {
+  if (simulation->info().has_vessel) channels.emplace(simulation->info());
+}
+
+std::unique_ptr<sim::Simulation> Simulation::Content::built(std::shared_ptr<Channels>& channels_of) {
+  return std::make_unique<sim::Simulation>(scene.content().scene, settings.threads, warning_counts,
+                                           modules_of(settings, waiting, channels_of));
 }
 
 Simulation::Content::Use::Use(const Content& content) : in_use_(content.in_use) {
@@ -111,11 +116,11 @@ Step Simulation::step() {
   Content& in = *content_;
   const Content::Use use(in);
   if (in.has_failed) throw Error(ErrorKind::numerics, "the simulation failed in an earlier step and cannot go on");
-  if (const std::string why = in.simulation.end_of_course(); !why.empty())
+  if (const std::string why = in.simulation->end_of_course(); !why.empty())
     throw Error(ErrorKind::input, "the simulation cannot go on: " + why);
   return library::translated([&] {
     in.has_failed = true;
-    in.last = in.simulation.step();
+    in.last = in.simulation->step();
     in.has_failed = false;
     in.waiting->clear();
     const sim::StepRecord& record = in.last;
@@ -129,7 +134,7 @@ Step Simulation::step() {
     step.message = record.solver_message;
     step.residual = record.residuals.law_map_m_s;
     step.state_hash = record.state_hash;
-    step.numbers = output::step_numbers(in.simulation.info(), record);
+    step.numbers = output::step_numbers(in.simulation->info(), record);
     if (record.vessel) {
       step.vessel = vessel_step(*record.vessel);
       in.channels->read(*record.vessel, step.vessel_numbers);
@@ -139,19 +144,33 @@ Step Simulation::step() {
 }
 
 bool Simulation::is_done() const {
-  return content_->simulation.steps() >= scene::number_of_steps(content_->scene.content().scene.time) ||
-         !end_of_course().empty();
+  const Content::Use use(*content_);
+  const sim::Simulation& simulation = *content_->simulation;
+  return simulation.steps() >= scene::number_of_steps(content_->scene.content().scene.time) ||
+         !simulation.end_of_course().empty();
 }
-std::string Simulation::end_of_course() const { return content_->simulation.end_of_course(); }
-double Simulation::time() const { return content_->simulation.time(); }
-long Simulation::steps() const { return content_->simulation.steps(); }
+std::string Simulation::end_of_course() const {
+  const Content::Use use(*content_);
+  return content_->simulation->end_of_course();
+}
+double Simulation::time() const {
+  const Content::Use use(*content_);
+  return content_->simulation->time();
+}
+long Simulation::steps() const {
+  const Content::Use use(*content_);
+  return content_->simulation->steps();
+}
 const Scene& Simulation::scene() const { return content_->scene; }
-int Simulation::num_bodies() const { return content_->simulation.bodies().size(); }
-int Simulation::vessel() const { return content_->simulation.vessel_index(); }
+int Simulation::num_bodies() const {
+  const Content::Use use(*content_);
+  return content_->simulation->bodies().size();
+}
+int Simulation::vessel() const { return content_->simulation->vessel_index(); }
 
 BodyStates Simulation::bodies() const {
   const Content::Use use(*content_);
-  const bodies::Bodies& all = content_->simulation.bodies();
+  const bodies::Bodies& all = content_->simulation->bodies();
   BodyStates states;
   states.id = all.id;
   states.name = all.name;
@@ -168,7 +187,7 @@ BodyStates Simulation::bodies() const {
 }
 
 std::vector<std::string> Simulation::step_columns() const {
-  std::vector<std::string> names = output::step_columns(content_->simulation.info());
+  std::vector<std::string> names = output::step_columns(content_->simulation->info());
   std::erase(names, "status");
   std::erase(names, "state_hash");
   return names;
@@ -177,16 +196,17 @@ std::vector<std::string> Simulation::vessel_columns() const {
   return content_->channels ? content_->channels->names() : std::vector<std::string>();
 }
 std::vector<std::pair<std::string, std::string>> Simulation::modules() const {
-  return content_->simulation.info().modules;
+  return content_->simulation->info().modules;
 }
 std::vector<std::pair<std::string, long>> Simulation::warnings() const {
+  const Content::Use use(*content_);
   const auto& counts = content_->warning_counts.counts();
   return {counts.begin(), counts.end()};
 }
 
 void Simulation::apply(int body, const Vector3& force, const Vector3& torque, const std::optional<Vector3>& point) {
   const Content::Use use(*content_);
-  const bodies::Bodies& all = content_->simulation.bodies();
+  const bodies::Bodies& all = content_->simulation->bodies();
   if (!content_->settings.applied_loads)
     throw Error(ErrorKind::input, "loads cannot be applied: build the simulation with applied_loads");
   if (body < 0 || body >= all.size())
@@ -200,12 +220,16 @@ void Simulation::apply(int body, const Vector3& force, const Vector3& torque, co
                                 point ? Vec3(vector_of(*point) - all.p_GB[b]) : Vec3(Vec3::Zero())});
 }
 
-std::vector<std::pair<std::string, double>> Simulation::commands() const {
-  const Channels& channels = *content_->commands;
+static std::vector<std::pair<std::string, double>> commands_of(const Channels& channels) {
   std::vector<std::pair<std::string, double>> all;
   for (int k = 0; k < channels.size(); ++k)
     if (channels.is_command(k)) all.emplace_back(channels.name(k), channels[k]);
   return all;
+}
+
+std::vector<std::pair<std::string, double>> Simulation::commands() const {
+  const Content::Use use(*content_);
+  return commands_of(*content_->commands);
 }
 
 void Simulation::set_command(const std::string& name, double value) {
@@ -214,7 +238,7 @@ void Simulation::set_command(const std::string& name, double value) {
   const int k = channels.find(name);
   if (k < 0 || !channels.is_command(k)) {
     std::string allowed;
-    for (const auto& [other, ignored] : commands()) allowed += (allowed.empty() ? "" : ", ") + other;
+    for (const auto& [other, ignored] : commands_of(channels)) allowed += (allowed.empty() ? "" : ", ") + other;
     throw Error(ErrorKind::input, "there is no command '" + name + "'; allowed: " +
                                       (allowed.empty() ? "none, since the scene has nothing to command" : allowed));
   }
@@ -224,10 +248,10 @@ void Simulation::set_command(const std::string& name, double value) {
 
 Problem Simulation::last_problem() const {
   const Content::Use use(*content_);
-  const contact::SolvedProblem& solved = content_->simulation.last_problem();
+  const contact::SolvedProblem& solved = content_->simulation->last_problem();
   auto content = std::make_unique<Problem::Content>();
   content->stored.problem = solved.problem;
-  content->stored.title = content_->scene.name() + ", step " + std::to_string(steps());
+  content->stored.title = content_->scene.name() + ", step " + std::to_string(content_->simulation->steps());
   for (int k = 0; k < solved.problem.num_velocities(); ++k) content->stored.dof_of_file.push_back(k);
   if (solved.guess.size() > 0) content->stored.guess = solved.guess;
   if (solved.solution.r.size() > 0) content->stored.solution = solved.solution.r;
@@ -235,7 +259,8 @@ Problem Simulation::last_problem() const {
 }
 
 std::vector<double> Simulation::last_impulses() const {
-  return library::listed(content_->simulation.last_problem().solution.r);
+  const Content::Use use(*content_);
+  return library::listed(content_->simulation->last_problem().solution.r);
 }
 
 Snapshot Simulation::snapshot() const {
@@ -246,7 +271,8 @@ Snapshot Simulation::snapshot() const {
     auto content = std::make_unique<Snapshot::Content>();
     content->fingerprint = content_->scene.fingerprint();
     content->applied_loads = content_->settings.applied_loads;
-    content_->simulation.save(StateWriter(content->state));
+    content->waiting = *content_->waiting;
+    content_->simulation->save(StateWriter(content->state));
     return Snapshot(std::move(content));
   });
 }
@@ -257,8 +283,14 @@ void Simulation::restore(const Snapshot& snapshot) {
     const Snapshot::Content& from = *snapshot.content_;
     if (from.fingerprint != content_->scene.fingerprint() || from.applied_loads != content_->settings.applied_loads)
       throw Error(ErrorKind::input, "the snapshot is of a simulation with another scene or other settings");
-    content_->simulation.restore(StateReader(from.state));
-    content_->waiting->clear();
+    // Bodies that broke since, or had broken before, are found only from the start of the scene.
+    std::shared_ptr<Channels> commands;
+    auto fresh = content_->built(commands);
+    fresh->restore(StateReader(from.state));
+    content_->simulation = std::move(fresh);
+    content_->commands = std::move(commands);
+    *content_->waiting = from.waiting;
+    content_->last = {};
     content_->has_failed = false;
   });
 }

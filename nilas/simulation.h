@@ -121,8 +121,9 @@ class NILAS_API Simulation {
   Problem last_problem() const;
   std::vector<double> last_impulses() const;
 
-  /// The present state, and the return to it: the next steps then have the same bits. Throws Error for a snapshot of
-  /// another scene, and where the integrator is `reference`.
+  /// The present state, and the return to it: the next steps then have the same bits. The return builds the scene anew,
+  /// which takes as long as at the start, and the last problem is empty until the next step. Throws Error for a
+  /// snapshot of another scene, and where the integrator is `reference`; then the simulation stays as it was.
   Snapshot snapshot() const;
   void restore(const Snapshot& snapshot);
 
@@ -143,8 +144,9 @@ class NILAS_API RunWriter {
 
   /// Writes the step that was taken last. Call it once after each. Throws Error.
   void record();
-  /// Writes summary.json and closes the files. status: done, interrupted or failed. Throws Error.
-  void finish(const std::string& status = "done");
+  /// Writes summary.json and closes the files. status: done, interrupted or failed. message: why, for the log. Throws
+  /// Error.
+  void finish(const std::string& status = "done", const std::string& message = {});
 
  private:
   struct Content;

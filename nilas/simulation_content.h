@@ -17,6 +17,9 @@ namespace nilas {
 struct Simulation::Content {
   Content(const Scene& of, const SimulationSettings& settings);
 
+  /// A simulation at the start of the scene. `channels_of`: what its controllers set.
+  std::unique_ptr<sim::Simulation> built(std::shared_ptr<Channels>& channels_of);
+
   /// Throws Error in a child of fork(), which has not the threads of its parent, and while another thread is within a
   /// call.
   class Use {
@@ -37,7 +40,7 @@ struct Simulation::Content {
   std::shared_ptr<library::WaitingLoads> waiting;
   std::shared_ptr<Channels> commands;
   WarningCounts warning_counts;
-  sim::Simulation simulation;
+  std::unique_ptr<sim::Simulation> simulation;
   std::optional<output::VesselChannels> channels;  ///< with a vessel
   sim::StepRecord last;                            ///< that of the last step
   bool has_failed = false;

@@ -69,6 +69,17 @@ contact::SolveStatus judged(const contact::ContactSolution& solution, const Resi
   return is_wrong ? contact::SolveStatus::stalled : solution.status;
 }
 
+/// Sets the velocities to those that follow from the impulses alone, which may be beyond all numbers.
+void follow_impulses(const Problem::Content& content, const VecX& r, Solution& solution) {
+  if (const auto* local = content.local()) {
+    solution.contact_velocities = library::listed(contact::contact_velocities(*local, r));
+    return;
+  }
+  const VecX v = contact::velocities(*content.global(), r);
+  solution.contact_velocities = library::listed(contact::contact_velocities(*content.global(), v));
+  solution.velocities = library::in_order_of_file(content, v);
+}
+
 }  // namespace
 
 Solution solve(const Problem& problem, const SolveSettings& settings, std::span<const double> guess) {
@@ -86,8 +97,7 @@ Solution solve(const Problem& problem, const SolveSettings& settings, std::span<
     Solution solution;
     solution.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     solution.impulses = library::listed(found.r);
-    solution.contact_velocities = problem.contact_velocities(solution.impulses);
-    solution.velocities = problem.velocities(solution.impulses);
+    follow_impulses(problem.content(), found.r, solution);
     solution.residuals = measured(form, found.r);
     const contact::SolveStatus status = judged(found, solution.residuals, settings.tolerance);
     solution.status = contact::to_string(status);

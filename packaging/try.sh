@@ -4,6 +4,7 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 room=$(mktemp -d)
+left=0
 trap 'rm -rf "$room"' EXIT
 mmdebstrap --variant=apt bookworm "$room/bare" >/dev/null
 
@@ -11,6 +12,12 @@ mmdebstrap --variant=apt bookworm "$room/bare" >/dev/null
 within() { chroot "$room/$1" bash -euc "$2"; }
 # Files of a system but for what every installation writes.
 files() { (cd "$room/$1" && find . -xdev \( -path ./proc -o -path ./var/lib -o -path ./var/cache -o -path ./var/log \) -prune -o -print | sort); }
+# What is new and named after Nilas; packages that it needs may stay in a virtual environment.
+tell_left() {
+  comm -13 "$room/before" "$room/after" | grep -i nilas >"$room/left" || true
+  echo "$1 leaves $(wc -l <"$room/left") files"
+  if [ -s "$room/left" ]; then cat "$room/left"; left=1; fi
+}
 tow='nilas --version
 nilas run "$scenes/towing.xml" --until 1 --out /tmp/tow --quiet
 test -s /tmp/tow/summary.json
@@ -18,6 +25,7 @@ nilas verify --case A1 --quiet
 rm -rf /tmp/tow'
 
 for package in build/release/nilas_*.deb; do
+  rm -rf "$room/deb"
   cp -a "$room/bare" "$room/deb"
   cp "$package" "$room/deb/tmp/nilas.deb"
   within deb 'apt-get update -q >/dev/null'
@@ -27,11 +35,11 @@ for package in build/release/nilas_*.deb; do
   within deb 'python3 -c "import nilas; print(len(nilas.solvers()), \"solvers in Python\")"'
   within deb 'apt-get purge -y -q nilas >/dev/null; apt-get autoremove --purge -y -q >/dev/null'
   files deb >"$room/after"
-  echo "left by $package:"
-  comm -13 "$room/before" "$room/after" | sed 's/^/  /'
+  tell_left "$package"
 done
 
 for wheel in dist/nilas-*.whl; do
+  rm -rf "$room/wheel"
   cp -a "$room/bare" "$room/wheel"
   cp "$wheel" "$room/wheel/tmp/"
   cp /etc/resolv.conf "$room/wheel/etc/"
@@ -43,6 +51,6 @@ python3 -m venv /opt/try'
   within wheel '/opt/try/bin/python3 -c "import nilas; print(len(nilas.solvers()), \"solvers in Python\")"
 /opt/try/bin/pip uninstall -y -q nilas'
   files wheel >"$room/after"
-  echo "left by $wheel, apart from the packages that it needs:"
-  comm -13 "$room/before" "$room/after" | grep -i nilas | sed 's/^/  /' || true
+  tell_left "$wheel"
 done
+exit "$left"

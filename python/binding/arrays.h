@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "nilas/error.h"
+
 namespace nilas::python {
 
 namespace py = pybind11;
@@ -16,7 +18,22 @@ namespace py = pybind11;
 /// Numbers of any shape, row by row. pybind11 converts lists and other types of numbers.
 using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
-inline std::span<const double> span_of(const Numbers& numbers) {
+inline std::string text_of(const std::vector<py::ssize_t>& shape) {
+  std::string text;
+  for (const py::ssize_t n : shape) text += (text.empty() ? "" : ", ") + std::to_string(n);
+  return "(" + text + (shape.size() == 1 ? ",)" : ")");
+}
+
+/// The numbers of an array that has this shape, or one axis; the library then checks their number. `what`: its name in
+/// messages. A size of -1 stands for any. Throws Error.
+inline std::span<const double> span_of(const char* what, const Numbers& numbers,
+                                       const std::vector<py::ssize_t>& shape) {
+  const std::vector<py::ssize_t> found(numbers.shape(), numbers.shape() + numbers.ndim());
+  bool fits = found.size() == shape.size();
+  for (std::size_t k = 0; fits && k < shape.size(); ++k) fits = shape[k] < 0 || shape[k] == found[k];
+  if (!fits && numbers.ndim() != 1 && numbers.size() > 0)
+    throw Error(ErrorKind::input,
+                std::string(what) + " has the shape " + text_of(found) + "; allowed: " + text_of(shape));
   return {numbers.data(), static_cast<std::size_t>(numbers.size())};
 }
 

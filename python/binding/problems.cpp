@@ -28,11 +28,18 @@ py::dict dict_of(const Residuals& residuals) {
 /// An array with three columns: one row per contact.
 py::array_t<double> by_contact(std::vector<double> numbers) { return rows_of(std::move(numbers), 3); }
 
+/// Impulses as (nc, 3), or one after the other.
+std::span<const double> impulses_of(const Problem& problem, const Numbers& r) {
+  return span_of("the array of impulses", r, {problem.num_contacts(), 3});
+}
+
 Solution solved(const Problem& problem, const std::string& solver, const std::string& law, double tolerance,
                 const std::optional<Numbers>& guess, int max_iterations, double max_seconds, int threads,
                 bool history) {
   const SolveSettings settings{solver, law, tolerance, max_iterations, max_seconds, threads, history};
-  const std::span<const double> first = guess ? span_of(*guess) : std::span<const double>();
+  const std::span<const double> first = guess ? impulses_of(problem, *guess) : std::span<const double>();
+  if (guess && first.empty() && problem.num_contacts() > 0)
+    throw Error(ErrorKind::input, "guess is empty; allowed: three impulses for each contact, or None");
   const py::gil_scoped_release without_lock;
   return solve(problem, settings, first);
 }
@@ -45,7 +52,8 @@ void bind_problem(py::module_& module) {
       .def_static(
           "local",
           [](const Numbers& W, const Numbers& q, const Numbers& mu) {
-            return Problem::local(span_of(W), span_of(q), span_of(mu));
+            const py::ssize_t nc = mu.size();
+            return Problem::local(span_of("W", W, {3 * nc, 3 * nc}), span_of("q", q, {nc, 3}), span_of("mu", mu, {nc}));
           },
           py::arg("W"), py::arg("q"), py::arg("mu"),
           "The problem u = W r + q. W: (3 nc, 3 nc) [1/kg]; q: (3 nc,) or (nc, 3) [m/s]; mu: (nc,).")
@@ -53,7 +61,8 @@ void bind_problem(py::module_& module) {
       .def(
           "add_body",
           [](Problem& self, const Numbers& mass, const Numbers& momentum) {
-            return self.add_body(span_of(mass), span_of(momentum));
+            const py::ssize_t n = momentum.size();
+            return self.add_body(span_of("mass", mass, {n, n}), span_of("momentum", momentum, {n}));
           },
           py::arg("mass"), py::arg("momentum"),
           "Adds a body with n velocities and returns its index. mass: (n, n); momentum: (n,), M v without contacts.")
@@ -61,7 +70,8 @@ void bind_problem(py::module_& module) {
           "add_contact",
           [](Problem& self, int body_a, const Numbers& jacobian_a, int body_b, const Numbers& jacobian_b,
              const Numbers& w, double mu) {
-            return self.add_contact(body_a, span_of(jacobian_a), body_b, span_of(jacobian_b), span_of(w), mu);
+            return self.add_contact(body_a, span_of("jacobian_a", jacobian_a, {3, -1}), body_b,
+                                    span_of("jacobian_b", jacobian_b, {3, -1}), span_of("w", w, {3}), mu);
           },
           py::arg("body_a"), py::arg("jacobian_a"), py::arg("body_b"), py::arg("jacobian_b"), py::arg("w"),
           py::arg("mu"),
@@ -98,15 +108,18 @@ void bind_problem(py::module_& module) {
           "Impulses that came with the problem, (nc, 3) [N s], or None.")
       .def(
           "contact_velocities",
-          [](const Problem& self, const Numbers& r) { return by_contact(self.contact_velocities(span_of(r))); },
+          [](const Problem& self, const Numbers& r) {
+            return by_contact(self.contact_velocities(impulses_of(self, r)));
+          },
           py::arg("impulses"), "Velocities at the contacts under impulses (nc, 3), as (nc, 3) [m/s].")
       .def(
-          "velocities", [](const Problem& self, const Numbers& r) { return array_of(self.velocities(span_of(r))); },
+          "velocities",
+          [](const Problem& self, const Numbers& r) { return array_of(self.velocities(impulses_of(self, r))); },
           py::arg("impulses"), "Velocities of the bodies under impulses (nc, 3); empty in the local form.")
       .def(
           "write",
           [](const Problem& self, const std::filesystem::path& file, const std::optional<Numbers>& impulses) {
-            self.write(file, impulses ? span_of(*impulses) : std::span<const double>());
+            self.write(file, impulses ? impulses_of(self, *impulses) : std::span<const double>());
           },
           py::arg("file"), py::arg("impulses") = py::none(),
           "Writes the problem in FCLIB's format, with impulses as its solution if they are given.");
@@ -150,7 +163,7 @@ void bind_problems(py::module_& module) {
   module.def(
       "measure",
       [](const Problem& problem, const Numbers& impulses, const std::string& law) {
-        return dict_of(measure(problem, span_of(impulses), law));
+        return dict_of(measure(problem, impulses_of(problem, impulses), law));
       },
       py::arg("problem"), py::arg("impulses"), py::kw_only(), py::arg("law") = "coulomb");
   module.def("solvers", [] {

@@ -3,8 +3,12 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include <algorithm>
+#include <memory>
+
 #include "python/binding/arrays.h"
 #include "python/binding/module.h"
+#include "python/binding/session.h"
 
 namespace nilas::python {
 
@@ -71,36 +75,53 @@ void bind_simulation(py::module_& module) {
   bind_steps(module);
   bind_bodies(module);
   py::class_<Snapshot>(module, "Snapshot", "A state to which a simulation can return.");
-  py::class_<Simulation>(module, "Simulation")
-      .def(py::init([](const Scene& scene, int threads, bool applied_loads) {
-             const py::gil_scoped_release without_lock;
-             return Simulation(scene, {threads, applied_loads});
+  py::class_<Session>(module, "Simulation")
+      .def(py::init([](const Scene& scene, int threads, bool applied_loads,
+                       const std::optional<std::filesystem::path>& folder, bool force) {
+             return std::make_unique<Session>(scene, SimulationSettings{threads, applied_loads}, folder, force);
            }),
-           py::arg("scene"), py::kw_only(), py::arg("threads") = 1, py::arg("applied_loads") = false)
-      .def("step", &Simulation::step, py::call_guard<py::gil_scoped_release>())
-      .def_property_readonly("is_done", &Simulation::is_done)
-      .def_property_readonly("end_of_course", &Simulation::end_of_course)
-      .def_property_readonly("time", &Simulation::time)
-      .def_property_readonly("steps", &Simulation::steps)
-      .def_property_readonly("num_bodies", &Simulation::num_bodies)
-      .def_property_readonly("bodies", &Simulation::bodies)
-      .def_property_readonly("vessel", &Simulation::vessel)
-      .def_property_readonly("step_columns", &Simulation::step_columns)
-      .def_property_readonly("vessel_columns", &Simulation::vessel_columns)
-      .def_property_readonly("modules", &Simulation::modules)
-      .def_property_readonly("warnings", &Simulation::warnings)
-      .def("apply", &Simulation::apply, py::arg("body"), py::arg("force"), py::arg("torque"), py::arg("point"))
-      .def_property_readonly("commands", &Simulation::commands)
-      .def("set_command", &Simulation::set_command, py::arg("name"), py::arg("value"))
-      .def_property_readonly("last_problem", &Simulation::last_problem)
-      .def_property_readonly("last_impulses", [](const Simulation& self) { return rows_of(self.last_impulses(), 3); })
-      .def("snapshot", &Simulation::snapshot)
-      .def("restore", &Simulation::restore, py::arg("snapshot"));
-  py::class_<RunWriter>(module, "RunWriter")
-      .def(py::init<const Simulation&, const std::filesystem::path&, bool>(), py::arg("simulation"), py::arg("folder"),
-           py::arg("force") = false, py::keep_alive<1, 2>())
-      .def("record", &RunWriter::record)
-      .def("finish", &RunWriter::finish, py::arg("status") = "done");
+           py::arg("scene"), py::kw_only(), py::arg("threads") = 1, py::arg("applied_loads") = false,
+           py::arg("folder") = py::none(), py::arg("force") = false)
+      .def("step", &Session::step)
+      .def("finish", &Session::finish, py::arg("status"), py::arg("message") = "")
+      .def_property_readonly("last", &Session::last)
+      .def_property_readonly("rows",
+                             [](const Session& self) {
+                               return rows_of(self.rows(),
+                                              static_cast<py::ssize_t>(self.simulation().step_columns().size()));
+                             })
+      .def_property_readonly("vessel_rows",
+                             [](const Session& self) {
+                               const std::size_t columns = self.simulation().vessel_columns().size();
+                               return rows_of(self.vessel_rows(),
+                                              static_cast<py::ssize_t>(std::max<std::size_t>(1, columns)));
+                             })
+      .def_property_readonly("is_done", [](const Session& self) { return self.simulation().is_done(); })
+      .def_property_readonly("end_of_course", [](const Session& self) { return self.simulation().end_of_course(); })
+      .def_property_readonly("time", [](const Session& self) { return self.simulation().time(); })
+      .def_property_readonly("steps", [](const Session& self) { return self.simulation().steps(); })
+      .def_property_readonly("num_bodies", [](const Session& self) { return self.simulation().num_bodies(); })
+      .def_property_readonly("bodies", [](const Session& self) { return self.simulation().bodies(); })
+      .def_property_readonly("vessel", [](const Session& self) { return self.simulation().vessel(); })
+      .def_property_readonly("step_columns", [](const Session& self) { return self.simulation().step_columns(); })
+      .def_property_readonly("vessel_columns", [](const Session& self) { return self.simulation().vessel_columns(); })
+      .def_property_readonly("modules", [](const Session& self) { return self.simulation().modules(); })
+      .def_property_readonly("warnings", [](const Session& self) { return self.simulation().warnings(); })
+      .def(
+          "apply",
+          [](Session& self, int body, const Vector3& force, const Vector3& torque,
+             const std::optional<Vector3>& point) { self.simulation().apply(body, force, torque, point); },
+          py::arg("body"), py::arg("force"), py::arg("torque"), py::arg("point"))
+      .def_property_readonly("commands", [](const Session& self) { return self.simulation().commands(); })
+      .def(
+          "set_command",
+          [](Session& self, const std::string& name, double value) { self.simulation().set_command(name, value); },
+          py::arg("name"), py::arg("value"))
+      .def_property_readonly("last_problem", [](const Session& self) { return self.simulation().last_problem(); })
+      .def_property_readonly("last_impulses",
+                             [](const Session& self) { return rows_of(self.simulation().last_impulses(), 3); })
+      .def("snapshot", [](const Session& self) { return self.simulation().snapshot(); })
+      .def("restore", &Session::restore, py::arg("snapshot"));
 }
 
 }  // namespace nilas::python

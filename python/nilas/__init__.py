@@ -12,6 +12,7 @@ True
 """
 
 from importlib import import_module
+from importlib.util import find_spec
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
@@ -22,6 +23,7 @@ if TYPE_CHECKING:
     from nilas.contact import measure as measure
     from nilas.contact import solve as solve
     from nilas.contact import solvers as solvers
+    from nilas.contact import version as version
     from nilas.errors import Defect as Defect
     from nilas.errors import FileError as FileError
     from nilas.errors import InputError as InputError
@@ -54,6 +56,7 @@ _HOMES = {
     "measure": "nilas.contact",
     "solve": "nilas.contact",
     "solvers": "nilas.contact",
+    "version": "nilas.contact",
     # errors
     "Defect": "nilas.errors",
     "FileError": "nilas.errors",
@@ -91,12 +94,12 @@ def __getattr__(name: str) -> Any:
         raise AttributeError(f"Nilas has no '{name}'. It has {', '.join(sorted(_HOMES))}.")
     try:
         value = getattr(import_module(_HOMES[name]), name)
-    except ModuleNotFoundError as missing:
-        if missing.name != _COMPILED:
+    except ImportError as missing:
+        if find_spec(_COMPILED) is not None:
             raise
         raise ImportError(
-            f"nilas.{name} needs the compiled part of the package, which is not here. Install a wheel or the "
-            "Debian package, or put build/release/python on PYTHONPATH after ./dev build."
+            f"nilas.{name} needs the compiled part of the package, which is not here or is that of another Python. "
+            "Install a wheel or the Debian package, or put build/release/python on PYTHONPATH after ./dev build."
         ) from missing
     globals()[name] = value
     return value

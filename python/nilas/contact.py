@@ -25,7 +25,7 @@ from numpy.typing import ArrayLike
 from nilas import _core
 from nilas._core import Problem, Solution
 
-__all__ = ["Problem", "Solution", "solve", "measure", "solvers"]
+__all__ = ["Problem", "Solution", "solve", "measure", "solvers", "version"]
 
 Source = Problem | str | os.PathLike[str]
 
@@ -92,3 +92,12 @@ def solvers() -> dict[str, dict[str, Any]]:
     True
     """
     return _core.solvers()
+
+
+def version() -> str:
+    """The version of the compiled part.
+
+    >>> version().count(".")
+    2
+    """
+    return _core.version()

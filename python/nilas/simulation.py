@@ -1,5 +1,6 @@
 """Runs of a scene within Python, step by step."""
 
+import numbers
 import os
 import pathlib
 from collections.abc import Callable, Mapping, Sequence
@@ -8,7 +9,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from nilas import _core
-from nilas.errors import InputError, SimulationError
+from nilas.errors import InputError
+from nilas.scene.names import unknown
 from nilas.scene.scene import Scene, Settings, checked
 
 if TYPE_CHECKING:
@@ -21,9 +23,10 @@ class Simulation:
     """A scene that is simulated in this process. Its states have the same bits as a run of the program.
 
     `scene` is a `nilas.Scene` or the path of a scene file, and `settings` are those of `--set`. With `folder` every
-    step is also written to a run folder, like that of `nilas run`; `force` replaces an earlier run there. With
-    `applied_loads` the method `apply` may load bodies. Other threads of Python run while a step is taken. One thread
-    at a time may use a simulation, and a process that was forked must build its own.
+    step is also written to a run folder, like that of `nilas run`; `force` replaces an earlier run there. The folder is
+    finished at the scene's end, by `close`, or at the end of a `with`. With `applied_loads` the method `apply` may load
+    bodies. Other threads of Python run while a step is taken. One thread at a time may use a simulation, and a process
+    that was forked must build its own.
 
     >>> simulation = Simulation(small_scene)
     >>> step = simulation.step()
@@ -45,12 +48,10 @@ class Simulation:
         force: bool = False,
     ) -> None:
         self.scene = checked(scene, settings, scale)
-        self._core = _core.Simulation(self.scene, threads=threads, applied_loads=applied_loads)
-        self._steps: list[np.ndarray] = []
-        self._vessel_steps: list[np.ndarray] = []
         self.folder = pathlib.Path(folder) if folder is not None else None
-        self._writer = _core.RunWriter(self._core, self.folder, force) if self.folder else None
-        self.last: _core.Step | None = None  #: what the last step did
+        self._core = _core.Simulation(
+            self.scene, threads=threads, applied_loads=applied_loads, folder=self.folder, force=force
+        )
 
     # Time
 
@@ -72,27 +73,25 @@ class Simulation:
     def step(self) -> _core.Step:
         """Advances by the scene's step and returns what it did: contacts, residual, loads on the vessel.
 
-        Raises `nilas.SimulationError` where the numerics fail.
+        Raises `nilas.SimulationError` where the numerics fail; a run folder then ends as failed. Ctrl-C is raised
+        after the step, when it is written and kept.
+
+        >>> Simulation(small_scene).step().number
+        1
         """
-        try:
-            step = self._core.step()
-        except SimulationError:
-            self._finish("failed")
-            raise
-        if self._writer:
-            self._writer.record()
-        self._steps.append(step.numbers)
-        if step.vessel is not None:
-            self._vessel_steps.append(step.vessel_numbers)
-        self.last = step
-        return step
+        return self._core.step()
+
+    @property
+    def last(self) -> _core.Step | None:
+        """What the last step did; None before the first, and after `restore`."""
+        return self._core.last
 
     def run(self, until: float | None = None, callback: Callback | None = None) -> "Simulation":
         """Takes steps until the time `until` [s], or to the scene's end, and returns the simulation.
 
         Before each step `callback(simulation)` is called. It may look at the simulation, load bodies (`apply`) and set
-        commands, and it ends the run by returning True. Ctrl-C ends the run between two steps; what was written is
-        complete up to there.
+        commands, and it ends this call by returning True. `run` may be called again to go on. At the scene's end the
+        run folder is finished. Ctrl-C ends the run between two steps; the folder is complete up to there.
 
         >>> simulation = Simulation(small_scene)
         >>> simulation.run(until=0.05).steps
@@ -103,30 +102,40 @@ class Simulation:
         half = 0.5 * self.scene.step
         try:
             while not self.is_done and (until is None or self.time < until - half):
-                if callback is not None and callback(self) is True:
+                if callback is not None and callback(self):
                     break
                 self.step()
         except KeyboardInterrupt:
-            self._finish("interrupted")
+            self.close("interrupted")
+            raise
+        except BaseException as error:
+            self.close("failed", str(error))
             raise
         if self.is_done:
-            self._finish("done")
+            self.close()
         return self
 
-    def close(self, status: str = "done") -> None:
-        """Finishes the run folder before the scene's end: writes its summary. Nothing more can be written to it."""
-        self._finish(status)
+    def close(self, status: str = "done", message: str = "") -> None:
+        """Finishes the run folder, if there is one: writes its summary. Nothing more can be written to it.
+
+        `status` is done, interrupted or failed, and `message` says why in its log.
+
+        >>> with Simulation(small_scene, folder="short") as simulation:
+        ...     step = simulation.step()
+        >>> import nilas
+        >>> nilas.Run("short").status
+        'done'
+        """
+        self._core.finish(status, message)
 
     def __enter__(self) -> "Simulation":
         return self
 
-    def __exit__(self, kind: type[BaseException] | None, *_: object) -> None:
-        self._finish("done" if kind is None else "interrupted")
-
-    def _finish(self, status: str) -> None:
-        if self._writer:
-            self._writer.finish(status)
-            self._writer = None
+    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, _: object) -> None:
+        if kind is None:
+            self.close()
+        else:
+            self.close("interrupted" if kind is KeyboardInterrupt else "failed", str(error))
 
     # State
 
@@ -157,13 +166,13 @@ class Simulation:
         >>> simulation.run(until=0.05).table()["kinetic_J"].size
         5
         """
-        return _table(self._core.step_columns, self._steps, None)
+        return _table(self._core.step_columns, self._core.rows, None)
 
     def vessel_table(self) -> "pandas.DataFrame":
         """Loads on the vessel and its motion in the steps taken here, as `vessel.csv` has them, indexed by time in s."""
         if self.vessel is None:
             raise InputError("The scene has no vessel.")
-        return _table(self._core.vessel_columns, self._vessel_steps, [row[0] for row in self._steps])
+        return _table(self._core.vessel_columns, self._core.vessel_rows, self._core.rows[:, 0])
 
     # Control
 
@@ -184,11 +193,22 @@ class Simulation:
         >>> simulation.apply(0, force=[1, 0, 0])
         >>> step = simulation.step()
         """
-        index = self.bodies.name.index(body) if isinstance(body, str) else body
         self._core.apply(
-            index, list(map(float, force)), list(map(float, torque)),
-            None if point is None else list(map(float, point)),
+            self._index_of(body),
+            _three("force", force),
+            _three("torque", torque),
+            None if point is None else _three("point", point),
         )
+
+    def _index_of(self, body: int | str) -> int:
+        if isinstance(body, str):
+            names = self.bodies.name
+            if body not in names:
+                raise unknown(f"There is no body '{body}'", body, names)
+            return names.index(body)
+        if isinstance(body, bool) or not isinstance(body, numbers.Integral):
+            raise InputError(f"A body is named by its index or its name; found {body!r}.")
+        return int(body)
 
     @property
     def commands(self) -> dict[str, float]:
@@ -218,19 +238,25 @@ class Simulation:
         return self._core.snapshot()
 
     def restore(self, snapshot: _core.Snapshot) -> None:
-        """Returns to a state of this scene. The next steps have the same bits as they had from there."""
-        if self._writer:
-            raise InputError("A simulation that writes a run folder cannot go back in time.")
+        """Returns to a state of this scene. The next steps have the same bits as they had from there.
+
+        The scene is built anew for it, which takes as long as at the start. A simulation that writes a run folder
+        cannot go back.
+        """
         self._core.restore(snapshot)
-        kept = self.steps
-        del self._steps[kept:], self._vessel_steps[kept:]
 
 
-def _table(columns: list[str], rows: list[np.ndarray], times: list[float] | None) -> "pandas.DataFrame":
+def _three(what: str, values: Sequence[float]) -> list[float]:
+    numbers_of = [float(value) for value in values]
+    if len(numbers_of) != 3:
+        raise InputError(f"{what} has {len(numbers_of)} numbers; allowed: 3.")
+    return numbers_of
+
+
+def _table(columns: list[str], rows: np.ndarray, times: np.ndarray | None) -> "pandas.DataFrame":
     import pandas
 
-    data = np.array(rows) if rows else np.empty((0, len(columns)))
-    frame = pandas.DataFrame(data, columns=columns)
+    frame = pandas.DataFrame(rows.reshape(-1, len(columns)), columns=columns)
     if times is not None:
         frame.insert(0, "time_s", times)
     return frame.set_index("time_s")

@@ -11,10 +11,10 @@ mkdir "$room/consumer"
 cat >"$room/consumer/CMakeLists.txt" <<'TEXT'
 cmake_minimum_required(VERSION 3.25)
 project(consumer LANGUAGES CXX)
-find_package(nilas REQUIRED)
-add_executable(consumer main.cpp solve_example.cpp simulation_example.cpp)
-target_link_libraries(consumer PRIVATE nilas::nilas)
+add_executable(my_program main.cpp solve_example.cpp simulation_example.cpp)
 TEXT
+# The two lines that the page tells.
+sed -n '/^```cmake/,/^```/p' "$source/docs/howto/use-the-library.md" | grep -v '^```' >>"$room/consumer/CMakeLists.txt"
 cp "$source"/tests/nilas/*_example.cpp "$room/consumer"
 cat >"$room/consumer/main.cpp" <<'TEXT'
 #include <nilas/schema.h>
@@ -32,14 +32,13 @@ int main() {
 TEXT
 cmake -S "$room/consumer" -B "$room/consumer/build" -DCMAKE_PREFIX_PATH="$room/installed" >/dev/null
 cmake --build "$room/consumer/build" >/dev/null
-"$room/consumer/build/consumer"
+"$room/consumer/build/my_program"
 # What was installed runs from there: program, scenes, Python package, manual page and completion.
 "$room/installed/bin/nilas" verify --case A1 --quiet
 zcat "$room/installed/share/man/man1/nilas.1.gz" | grep -q "nilas run"
 bash -n "$room/installed/share/bash-completion/completions/nilas"
 if [ -d "$room/installed/lib/python3/dist-packages/nilas" ]; then
-  libraries=$(dirname "$(find "$room/installed" -name 'libnilas.so')")
-  LD_LIBRARY_PATH=$libraries PYTHONPATH=$room/installed/lib/python3/dist-packages /usr/bin/python3 -c '
+  PYTHONPATH=$room/installed/lib/python3/dist-packages /usr/bin/python3 -c '
 import nilas
 print(len(nilas.solvers()), "solvers in Python")'
   "$room/installed/bin/nilas" study --help >/dev/null

@@ -37,7 +37,7 @@ void set(const char* name, const std::string& value) {
 
 /// The interpreter: what NILAS_PYTHON names, else that of the system, whose packages a Debian package brings.
 std::string interpreter() {
-  if (const char* named = std::getenv("NILAS_PYTHON")) return named;
+  if (const char* named = std::getenv("NILAS_PYTHON"); named && *named) return named;
   return fs::exists("/usr/bin/python3") ? "/usr/bin/python3" : "python3";
 }
 

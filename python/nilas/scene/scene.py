@@ -9,6 +9,7 @@ from typing import Any
 from nilas import _core
 from nilas.errors import FileError, InputError
 from nilas.scene.element import Element
+from nilas.scene.path import read_path
 from nilas.scene.values import written
 
 Settings = Mapping[str, Any]
@@ -32,22 +33,24 @@ class Scene(Element):
     def __init__(
         self, *children: Element, folder: str | os.PathLike[str] = ".", **attributes: Any
     ) -> None:
-        attributes.setdefault("version", 1)
         super().__init__("scene", *children, **attributes)
+        if self["version"] is None:
+            self["version"] = 1
         self.folder = pathlib.Path(folder).absolute()
 
     @classmethod
     def read(cls, file: str | os.PathLike[str]) -> "Scene":
         """Reads a scene file into elements. Comments are lost.
 
-    XX
+        >>> Scene.read(small_scene)["name"]
+        'small'
         """
         path = pathlib.Path(file)
         _core.CheckedScene.read(path)  # its messages name lines and columns
-        return cls.parse(path.read_text(encoding="utf-8-sig"), folder=path.absolute().parent)
+        return cls.parse(path.read_bytes(), folder=path.absolute().parent)
 
     @classmethod
-    def parse(cls, xml: str, folder: str | os.PathLike[str] = ".") -> "Scene":
+    def parse(cls, xml: str | bytes, folder: str | os.PathLike[str] = ".") -> "Scene":
         """Makes a scene of XML text.
 
         >>> Scene.parse('<scene version="1" name="empty"/>')["name"]
@@ -59,26 +62,31 @@ class Scene(Element):
             raise InputError(f"The text is no XML: {fault}.") from fault
         if root.tag != "scene":
             raise InputError(f"The root of a scene is <scene>; found <{root.tag}>.")
-        scene = cls(folder=folder, **{name + "_": value for name, value in root.attrib.items()})
-        for child in root:
-            scene.append(_element_of(child))
+        scene = cls(folder=folder)
+        for name, value in root.attrib.items():
+            scene[name] = value
+        for child in _element_of(root):
+            scene.append(child)
         return scene
 
     def set(self, settings: Settings) -> "Scene":
         """Sets attributes by the paths of `--set`, and returns the scene.
 
-        >>> Scene(name="s").set({"contact/@tolerance": 1e-8}).find("contact")["tolerance"]
+        An element that is missing is added. Of several with one name, `[2]` picks the second, `[@name='box']` the one
+        of that name, and `[+]` adds one.
+
+        >>> scene = Scene(name="s").set({"contact/@tolerance": 1e-8})
+        >>> scene.find("contact")["tolerance"]
         '1e-08'
+        >>> scene = scene.set({"body[+]/@name": "a"}).set({"body[@name='a']/@mass": 2})
+        >>> scene.find("body")["mass"]
+        '2'
         """
         for path, value in settings.items():
-            place, at, attribute = path.rpartition("@")
-            if not at or (place and not place.endswith("/")):
-                raise InputError(
-                    f"'{path}' is no path of an attribute; write it as element/element/@attribute."
-                )
+            elements, attribute = read_path(path)
             element: Element = self
-            for tag in place.strip("/").removeprefix("scene/").split("/"):
-                element = element.find(tag) if tag and tag != "scene" else element
+            for step in elements:
+                element = step.found_in(element)
             element[attribute] = value
         return self
 
@@ -105,6 +113,8 @@ class Scene(Element):
 
 
 def _element_of(tree: ElementTree.Element) -> Element:
+    if (tree.text or "").strip() or any((child.tail or "").strip() for child in tree):
+        raise InputError(f"<{tree.tag}> holds text; a scene has elements and attributes alone.")
     element = Element(tree.tag, **{name + "_": value for name, value in tree.attrib.items()})
     for child in tree:
         element.append(_element_of(child))

@@ -5,6 +5,8 @@ import numbers
 from collections.abc import Iterable
 from typing import Any
 
+import numpy as np
+
 from nilas.errors import InputError
 
 
@@ -19,7 +21,9 @@ def written(value: Any) -> str:
     """
     if isinstance(value, str):
         return value
-    if isinstance(value, bool) or type(value).__name__ == "bool_":
+    if isinstance(value, np.ndarray) and value.ndim == 0:
+        value = value.item()
+    if isinstance(value, (bool, np.bool_)):
         return "true" if value else "false"
     if isinstance(value, numbers.Integral):
         return str(int(value))
@@ -29,6 +33,6 @@ def written(value: Any) -> str:
         return repr(float(value))
     if hasattr(value, "__fspath__"):
         return str(value.__fspath__())
-    if isinstance(value, Iterable):
+    if isinstance(value, Iterable) and not isinstance(value, (bytes, dict, set)):
         return " ".join(written(item) for item in value)
     raise InputError(f"{value!r} is no value of a scene; allowed: numbers, words, booleans, paths and lists of them.")

@@ -91,6 +91,26 @@ def test_faults_say_what_is_allowed(arguments, part):
         nilas.solve(sliding_mass(1, 0.2), **arguments)
 
 
+def test_arrays_of_another_shape_are_refused():
+    problem = random_stack(5, 6)
+    impulses = nilas.solve(problem).impulses
+    with pytest.raises(nilas.InputError, match=r"shape \(3, 5\); allowed: \(5, 3\)"):
+        nilas.measure(problem, impulses.T)
+    with pytest.raises(nilas.InputError, match="jacobian_b has the shape"):
+        problem.add_contact(-1, [], 0, np.ones((9, 1)), [0, 0, 0], 0.1)
+    assert problem.num_contacts == 5
+
+
+def test_a_longer_problem_forgets_its_solution(tmp_path):
+    problem = random_stack(2, 7)
+    problem.write(tmp_path / "p.hdf5", nilas.solve(problem).impulses)
+    stored = nilas.Problem.read(tmp_path / "p.hdf5")
+    body = stored.add_body(np.eye(3), [0, 0, -1.0])
+    stored.add_contact(-1, [], body, np.eye(3), [0, 0, 0], 0.2)
+    assert stored.solution is None
+    assert nilas.solve(stored).converged
+
+
 def test_a_missing_file_is_named(tmp_path):
     with pytest.raises(nilas.FileError, match="none.hdf5"):
         nilas.solve(tmp_path / "none.hdf5")

@@ -32,6 +32,12 @@ def test_faults_name_the_nearest_word():
         Scene(Element("time"), Element("time"))
     with pytest.raises(nilas.InputError, match="step"):
         Scene(Element("time", step=-1)).check()
+    with pytest.raises(nilas.InputError, match="holds text"):
+        Scene.parse("<scene version='1'><time>soon</time></scene>")
+    two = Scene(Element("body", name="a"), Element("body", name="b"))
+    with pytest.raises(nilas.InputError, match="say which"):
+        two.set({"body/@mass": 1})
+    assert two.set({"body[2]/@mass": 3}).children[1]["mass"] == "3"
     with pytest.raises(nilas.InputError, match="no path"):
         Scene().set({"contact/tolerance": 1})
     with pytest.raises(nilas.InputError, match="no XML"):
@@ -44,6 +50,16 @@ def test_every_element_of_the_table_can_be_made():
         assert element.tag == name
         for child in entry.children:
             element.append(Element(child))
+
+
+def test_numpy_values_are_values():
+    assert Element("body", fixed=np.array(True))["fixed"] == "true"
+    with pytest.raises(nilas.InputError, match="no value"):
+        Element("body", name=b"a")
+
+
+def test_the_version_of_a_text_is_kept():
+    assert Scene.parse('<scene version="7"/>')["version"] == "7"
 
 
 def test_a_scene_is_written_and_read(tmp_path):

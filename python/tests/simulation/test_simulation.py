@@ -1,6 +1,7 @@
 """Simulations in this process."""
 
 import os
+import pathlib
 import signal
 import threading
 import time
@@ -45,7 +46,7 @@ def test_the_callback_controls_and_ends_the_run():
 
     def hold(running):
         running.apply(1, [0, 0, 2 * 9.81 - 50 * running.bodies.velocity[1, 2]])
-        return running.steps >= 30
+        return np.bool_(running.steps >= 30)
 
     simulation.run(callback=hold)
     assert simulation.steps == 30
@@ -130,7 +131,7 @@ def test_two_threads_cannot_share_a_simulation(small_scene):
         thread.start()
     for thread in threads:
         thread.join()
-    assert all("another thread" in message for message in refused)
+    assert refused and all("another thread" in message for message in refused)
     assert simulation.steps > 0
 
 
@@ -150,24 +151,75 @@ def test_a_forked_process_must_build_its_own():
     assert os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]) == 0
 
 
-def test_ctrl_c_ends_between_two_steps(tmp_path):
-    simulation = nilas.Simulation(balls(), settings=None, folder=tmp_path / "run")
-
-    def interrupt(running):
-        if running.steps == 20:
-            os.kill(os.getpid(), signal.SIGINT)
-
+def test_ctrl_c_loses_no_step(tmp_path, small_scene):
+    simulation = nilas.Simulation(small_scene, settings={"time/@end": 1000}, folder=tmp_path / "run")
+    threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT)).start()
     with pytest.raises(KeyboardInterrupt):
-        simulation.run(callback=interrupt)
-    run = nilas.Run(tmp_path / "run")
+        simulation.run()
+    with pytest.warns(nilas.UnfinishedRun):
+        run = nilas.Run(tmp_path / "run")
     assert run.status == "interrupted"
-    assert len(run.steps) == simulation.steps >= 20
+    assert len(run.steps) == len(simulation.table()) == len(simulation.vessel_table()) == simulation.steps
+    assert simulation.last.number == simulation.steps > 0
+    simulation.step()
+    assert len(simulation.table()) == simulation.steps
+
+
+def test_folders_end_as_their_runs_do(tmp_path):
+    with nilas.Simulation(balls(), folder=tmp_path / "early") as simulation:
+        simulation.step()
+    early = nilas.Run(tmp_path / "early")
+    assert early.status == "done" and early.summary["ended_early"]
+
+    def fail(running):
+        raise ValueError("the controller failed")
+
+    simulation = nilas.Simulation(balls(), folder=tmp_path / "failed")
+    with pytest.raises(ValueError):
+        simulation.run(callback=fail)
+    with pytest.warns(nilas.UnfinishedRun, match="the controller failed"):
+        assert nilas.Run(tmp_path / "failed").status == "failed"
+    with pytest.raises(nilas.InputError, match="allowed: done"):
+        nilas.Simulation(balls(), folder=tmp_path / "other").close("finished")
+
+
+def test_snapshots_of_ice_that_breaks():
+    scene = pathlib.Path(__file__).parents[1] / "scenes" / "breaking.xml"
+    simulation = nilas.Simulation(scene)
+    start = simulation.snapshot()
+    while simulation.step().floes == simulation.table()["floes"].iloc[0] and not simulation.is_done:
+        pass
+    assert not simulation.is_done, "no floe broke"
+    broken, steps = simulation.snapshot(), simulation.steps
+    after = hashes(simulation, 3)
+    simulation.restore(broken)
+    assert hashes(simulation, 3) == after
+    simulation.restore(start)
+    assert simulation.steps == 0 and simulation.last is None
+    hashes(simulation, steps)
+    assert hashes(simulation, 3) == after
+
+
+def test_a_snapshot_keeps_loads_that_wait():
+    simulation = nilas.Simulation(balls(), applied_loads=True)
+    simulation.apply(1, [5, 0, 0])
+    now = simulation.snapshot()
+    first = simulation.step().state_hash
+    simulation.restore(now)
+    assert simulation.step().state_hash == first
 
 
 def test_faults_say_what_is_allowed(tmp_path):
     simulation = nilas.Simulation(balls())
     with pytest.raises(nilas.InputError, match="applied_loads"):
         simulation.apply(1, [1, 0, 0])
+    loaded = nilas.Simulation(balls(), applied_loads=True)
+    with pytest.raises(nilas.InputError, match="did you mean"):
+        loaded.apply("ones", [1, 0, 0])
+    with pytest.raises(nilas.InputError, match="force has 2 numbers"):
+        loaded.apply(1, [1, 0])
+    with pytest.raises(nilas.InputError, match="index or its name"):
+        loaded.apply(None, [1, 0, 0])
     with pytest.raises(nilas.InputError, match="nothing to command"):
         simulation.command(rudder=1)
     with pytest.raises(nilas.InputError, match="has no vessel"):

@@ -1,0 +1,48 @@
+#include "python/binding/session.h"
+
+#include <algorithm>
+
+namespace nilas::python {
+
+Session::Session(const Scene& scene, const SimulationSettings& settings,
+                 const std::optional<std::filesystem::path>& folder, bool force)
+    : simulation_(scene, settings) {
+  if (folder) writer_.emplace(simulation_, *folder, force);
+}
+
+Step Session::step() {
+  try {
+    Step step;
+    {
+      const pybind11::gil_scoped_release without_lock;
+      step = simulation_.step();
+    }
+    // The HDF5 library is not made for several threads, and other packages of Python use it under the lock.
+    if (writer_) writer_->record();
+    rows_.insert(rows_.end(), step.numbers.begin(), step.numbers.end());
+    vessel_rows_.insert(vessel_rows_.end(), step.vessel_numbers.begin(), step.vessel_numbers.end());
+    last_ = step;
+    return step;
+  } catch (const Error& e) {
+    if (e.kind() != ErrorKind::input) finish("failed", e.what());
+    throw;
+  }
+}
+
+void Session::finish(const std::string& status, const std::string& message) {
+  if (!writer_) return;
+  std::optional<RunWriter> ending = std::move(writer_);
+  writer_.reset();
+  ending->finish(status, message);
+}
+
+void Session::restore(const Snapshot& snapshot) {
+  if (writer_) throw Error(ErrorKind::input, "a simulation that writes a run folder cannot go back in time");
+  simulation_.restore(snapshot);
+  const auto kept = static_cast<std::size_t>(simulation_.steps());
+  rows_.resize(std::min(rows_.size(), kept * simulation_.step_columns().size()));
+  vessel_rows_.resize(std::min(vessel_rows_.size(), kept * simulation_.vessel_columns().size()));
+  last_.reset();
+}
+
+}  // namespace nilas::python
