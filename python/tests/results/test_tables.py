@@ -28,7 +28,7 @@ def test_numbers_have_the_bits_of_the_file(small_run: nilas.Run, name: str) -> N
     assert len(frame) == len(rows)
     for column in rows[0]:
         texts = [row[column] for row in rows]
-        if frame[column].dtype == object:
+        if not pd.api.types.is_numeric_dtype(frame[column]):
             assert list(frame[column]) == texts
         else:
             expected = np.array([float(text) for text in texts])
