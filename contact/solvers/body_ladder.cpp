@@ -53,6 +53,9 @@ constexpr InteriorSettings k_from_start{Shift::differentiated, 0.7, 10, 20};
 constexpr double k_sweep_goals[] = {4, 2, 1};
 constexpr double k_swept_from = 10;
 constexpr int k_most_sweeps = 40;
+/// Newton's factorisations after a way that these sweeps do not finish. Where it finds the solution from there, it
+/// seldom needs more, and then the next ways would take hundreds of iterations.
+constexpr int k_short_newton = 20;
 
 /// Newton seldom finds the solution from a larger share of the residual of no impulses than this [-].
 constexpr double k_near = 0.1;
@@ -165,7 +168,8 @@ class BodyClimb {
     has_failed_ = true;
   }
 
-  /// The same for a loose tolerance, with sweeps in place of Newton, which is left to the last way of its kind.
+  /// The same for a loose tolerance, with sweeps before Newton, which has few factorisations unless the way is the last
+  /// of its kind.
   void approach_loosely(const VecX& start, const InteriorSettings& way, bool is_last) {
     const double tolerance = settings_.tolerance;
     InteriorSettings settings = way;
@@ -185,7 +189,8 @@ class BodyClimb {
       if (!is_done() && reached <= k_swept_from * tolerance) sweep(near);
       if (!(reached <= share * tolerance)) break;
     }
-    if (!is_done() && is_last && reached < k_near * still_) finish(near, k_handovers[0].factorisations);
+    if (!is_done() && reached < k_near * still_)
+      finish(near, is_last ? k_handovers[0].factorisations : k_short_newton);
     has_failed_ = true;
   }
 

@@ -33,9 +33,7 @@ class Scene(Element):
     def __init__(
         self, *children: Element, folder: str | os.PathLike[str] = ".", **attributes: Any
     ) -> None:
-        super().__init__("scene", *children, **attributes)
-        if self["version"] is None:
-            self["version"] = 1
+        super().__init__("scene", *children, **{"version": 1, **attributes})
         self.folder = pathlib.Path(folder).absolute()
 
     @classmethod

@@ -109,7 +109,7 @@ TEST(Auto, LeavesLargeIslandsToTheInteriorPointAtLooseTolerances) {
 
 /// To a loose tolerance sweeps finish what the interior point began, on any number of threads.
 TEST(Auto, FinishesLooseJamsBySweeps) {
-  const contact::ContactProblem raft = test::raft(17, 0.3, 1, 1);
+  const contact::ContactProblem raft = test::raft(17, 0.3, 0.7, 1);
   ASSERT_GE(raft.num_contacts(), k_large_on_bodies);
   const auto with = [&](int threads) {
     return AutoSolver({.shared = {.tolerance = 1e-4, .threads = threads}}).solve(raft, VecX());
@@ -121,6 +121,15 @@ TEST(Auto, FinishesLooseJamsBySweeps) {
   EXPECT_NE(one.message.find("sweeps after it"), std::string::npos) << one.message;
   EXPECT_EQ(one.message.find("newton"), std::string::npos) << one.message;
   EXPECT_EQ(one.r, two.r);
+}
+
+/// Where sweeps do not finish a way, a short search by Newton spares the other ways.
+TEST(Auto, TriesNewtonShortlyInLooseJams) {
+  const contact::ContactProblem raft = test::raft(12, 0.3, 1, 1);
+  const contact::ContactSolution found = solve(raft, {}, 1e-4);
+  EXPECT_EQ(found.status, contact::SolveStatus::converged);
+  EXPECT_NE(found.message.find("newton on bodies"), std::string::npos) << found.message;
+  EXPECT_LE(found.iterations, 200) << found.message;
 }
 
 TEST(Auto, SameBitsWithTwoThreads) {
