@@ -189,8 +189,7 @@ class BodyClimb {
       if (!is_done() && reached <= k_swept_from * tolerance) sweep(near);
       if (!(reached <= share * tolerance)) break;
     }
-    if (!is_done() && reached < k_near * still_)
-      finish(near, is_last ? k_handovers[0].factorisations : k_short_newton);
+    if (!is_done() && reached < k_near * still_) finish(near, is_last ? k_handovers[0].factorisations : k_short_newton);
     has_failed_ = true;
   }
 
