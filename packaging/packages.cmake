@@ -49,13 +49,12 @@ set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 # The package for Python works with the one version that it was built for.
 if(NILAS_PYTHON)
-  math(EXPR next_minor "${Python_VERSION_MINOR} + 1")
-  set(CPACK_DEBIAN_PACKAGE_DEPENDS "python3 (>= ${Python_VERSION_MAJOR}.${Python_VERSION_MINOR}~), \
-python3 (<< ${Python_VERSION_MAJOR}.${next_minor}~), python3-numpy")
+  set(CPACK_DEBIAN_PACKAGE_DEPENDS
+      "python3 (>= ${NILAS_PYTHON_VERSION}~), python3 (<< ${NILAS_NEXT_PYTHON_VERSION}~), python3-numpy")
 endif()
 # It removes what Python compiled there.
 set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA ${CMAKE_CURRENT_SOURCE_DIR}/packaging/prerm)
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION TRUE)
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "gnuplot-nox, python3-h5py, python3-pandas, python3-yaml, python3-scipy, python3-matplotlib")
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "gnuplot-nox, python3-h5py, python3-pandas, python3-yaml, python3-scipy, python3-matplotlib, python3-jinja2")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "chromium, ffmpeg, python3-xarray")
 include(CPack)

@@ -5,7 +5,11 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 room=$(mktemp -d)
 left=0
-trap 'rm -rf "$room"' EXIT
+leave() {
+  umount "$room"/*/proc 2>/dev/null || true
+  rm -rf --one-file-system "$room"
+}
+trap leave EXIT
 mmdebstrap --variant=apt bookworm "$room/bare" >/dev/null
 
 # $1: name of the system, $2: script that runs in it
@@ -25,12 +29,15 @@ nilas verify --case A1 --quiet
 rm -rf /tmp/tow'
 
 for package in build/release/nilas_*.deb; do
+  [ -f "$package" ] || continue
+  umount "$room/deb/proc" 2>/dev/null || true
   rm -rf "$room/deb"
   cp -a "$room/bare" "$room/deb"
+  mount -t proc proc "$room/deb/proc"  # the program finds its scenes by its own path
   cp "$package" "$room/deb/tmp/nilas.deb"
   within deb 'apt-get update -q >/dev/null'
   files deb >"$room/before"
-  within deb 'apt-get install -y -q --no-install-recommends /tmp/nilas.deb >/dev/null; ! command -v gcc c++ cc'
+  within deb 'apt-get install -y -q --no-install-recommends /tmp/nilas.deb >/dev/null; if command -v gcc c++ cc; then exit 1; fi'
   within deb "scenes=/usr/share/nilas/scenes; $tow"
   within deb 'python3 -c "import nilas; print(len(nilas.solvers()), \"solvers in Python\")"'
   within deb 'apt-get purge -y -q nilas >/dev/null; apt-get autoremove --purge -y -q >/dev/null'
@@ -39,14 +46,18 @@ for package in build/release/nilas_*.deb; do
 done
 
 for wheel in dist/nilas-*.whl; do
+  [ -f "$wheel" ] || continue
+  umount "$room/wheel/proc" 2>/dev/null || true
   rm -rf "$room/wheel"
   cp -a "$room/bare" "$room/wheel"
-  cp "$wheel" "$room/wheel/tmp/"
-  cp /etc/resolv.conf "$room/wheel/etc/"
+  mount -t proc proc "$room/wheel/proc"
+  # What it needs is downloaded outside, where pip knows the way to its server.
+  [ -x "$room/pip/bin/pip" ] || /usr/bin/python3 -m venv "$room/pip"
+  "$room/pip/bin/pip" download -q -d "$room/wheel/tmp/wheels" "$wheel"
   within wheel 'apt-get update -q >/dev/null; apt-get install -y -q --no-install-recommends python3-venv >/dev/null
 python3 -m venv /opt/try'
   files wheel >"$room/before"
-  within wheel '/opt/try/bin/pip install -q /tmp/nilas-*.whl; ! command -v gcc c++ cc'
+  within wheel '/opt/try/bin/pip install -q --no-index --find-links /tmp/wheels nilas; if command -v gcc c++ cc; then exit 1; fi'
   within wheel "export PATH=/opt/try/bin:\$PATH; scenes=\$(python3 -c 'import nilas, pathlib; print(pathlib.Path(nilas.__file__).parent / \"share/nilas/scenes\")'); $tow"
   within wheel '/opt/try/bin/python3 -c "import nilas; print(len(nilas.solvers()), \"solvers in Python\")"
 /opt/try/bin/pip uninstall -y -q nilas'
