@@ -50,6 +50,13 @@ inline py::array_t<double> rows_of(std::vector<double> numbers, py::ssize_t colu
   return array_of(std::move(numbers), {rows, columns});
 }
 
+/// The same, which nobody can change: a state of the past.
+inline py::array_t<double> fixed_rows_of(std::vector<double> numbers, py::ssize_t columns) {
+  py::array_t<double> rows = rows_of(std::move(numbers), columns);
+  rows.attr("setflags")(py::arg("write") = false);
+  return rows;
+}
+
 template <std::size_t count>
 py::array_t<double> array_of(const std::array<double, count>& numbers) {
   return array_of(std::vector<double>(numbers.begin(), numbers.end()));

@@ -11,6 +11,8 @@ Session::Session(const Scene& scene, const SimulationSettings& settings,
 }
 
 Step Session::step() {
+  if (is_finished_)
+    throw Error(ErrorKind::input, "the run folder is finished; a simulation that goes on needs one of its own");
   try {
     Step step;
     {
@@ -33,6 +35,7 @@ void Session::finish(const std::string& status, const std::string& message) {
   if (!writer_) return;
   std::optional<RunWriter> ending = std::move(writer_);
   writer_.reset();
+  is_finished_ = true;
   ending->finish(status, message);
 }
 

@@ -19,7 +19,7 @@ class Session {
           bool force);
 
   /// Takes a step without Python's lock, writes it with that lock, and keeps its numbers. Throws Error; then the run
-  /// folder is finished as failed.
+  /// folder is finished as failed. Throws Error too where it is finished already.
   Step step();
   /// Finishes the run folder, once. Throws Error.
   void finish(const std::string& status, const std::string& message);
@@ -36,6 +36,7 @@ class Session {
  private:
   Simulation simulation_;
   std::optional<RunWriter> writer_;
+  bool is_finished_ = false;  ///< there was a run folder, and it is finished
   std::vector<double> rows_, vessel_rows_;
   std::optional<Step> last_;
 };

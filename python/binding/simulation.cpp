@@ -58,14 +58,15 @@ void bind_bodies(py::module_& module) {
       .def_property_readonly(
           "mass", [](const BodyStates& self) { return array_of(self.mass); }, "(n,) [kg]")
       .def_property_readonly(
-          "position", [](const BodyStates& self) { return rows_of(self.position, 3); }, "(n, 3) centre of mass [m]")
+          "position", [](const BodyStates& self) { return fixed_rows_of(self.position, 3); },
+          "(n, 3) centre of mass [m]")
       .def_property_readonly(
-          "orientation", [](const BodyStates& self) { return rows_of(self.orientation, 4); },
+          "orientation", [](const BodyStates& self) { return fixed_rows_of(self.orientation, 4); },
           "(n, 4) unit quaternions w, x, y, z from body axes to the ground frame")
       .def_property_readonly(
-          "velocity", [](const BodyStates& self) { return rows_of(self.velocity, 3); }, "(n, 3) [m/s]")
+          "velocity", [](const BodyStates& self) { return fixed_rows_of(self.velocity, 3); }, "(n, 3) [m/s]")
       .def_property_readonly(
-          "angular_velocity", [](const BodyStates& self) { return rows_of(self.angular_velocity, 3); },
+          "angular_velocity", [](const BodyStates& self) { return fixed_rows_of(self.angular_velocity, 3); },
           "(n, 3), ground frame [rad/s]");
 }
 

@@ -247,10 +247,13 @@ class Simulation:
 
 
 def _three(what: str, values: Sequence[float]) -> list[float]:
-    numbers_of = [float(value) for value in values]
-    if len(numbers_of) != 3:
-        raise InputError(f"{what} has {len(numbers_of)} numbers; allowed: 3.")
-    return numbers_of
+    try:
+        array = np.asarray(values, dtype=float)
+    except (TypeError, ValueError):
+        raise InputError(f"{what} is three numbers; found {values!r}.") from None
+    if array.shape != (3,):
+        raise InputError(f"{what} has the shape {array.shape}; allowed: (3,).")
+    return array.tolist()
 
 
 def _table(columns: list[str], rows: np.ndarray, times: np.ndarray | None) -> "pandas.DataFrame":

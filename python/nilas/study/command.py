@@ -58,6 +58,8 @@ def _carry_out(options: argparse.Namespace) -> int:
     if options.threads:
         plan = Plan(plan.study.with_threads(options.threads))
     if options.dry_run:
+        if not options.no_check:
+            check_scene(plan, Launcher(plan, find_program(options.program)))
         print(plan_text(plan, Records(plan)))
         return _DONE
     if options.status:
