@@ -55,7 +55,7 @@ struct SolverInfo {
 };
 NILAS_API std::vector<SolverInfo> solver_list();
 
-/// The version of the library, as 0.1.0.
+/// The version of the library, as 0.2.0.
 NILAS_API std::string version();
 
 }  // namespace nilas

@@ -14,5 +14,5 @@ PYBIND11_MODULE(_core, module) {
   nilas::python::bind_problems(module);
   nilas::python::bind_scenes(module);
   nilas::python::bind_simulation(module);
-  module.def("version", &nilas::version, "The version of the library, as '0.1.0'.");
+  module.def("version", &nilas::version, "The version of the library, as '0.2.0'.");
 }
