@@ -184,7 +184,7 @@ TEST(Breaking, PiecesKeepTheStrengthsOfTheirPlaces) {
   sim::Simulation other(rig.scene, 1, rig.warnings);
   other.restore(StateReader(state));
   bool again = false;
-  for (int k = 0; k < 150; ++k) {
+  for (int k = 0; k < 130; ++k) {
     const sim::StepRecord one = rig.simulation.step(), two = other.step();
     ASSERT_EQ(one.state_hash, two.state_hash) << k;
     ASSERT_EQ(one.broken.size(), two.broken.size());
@@ -236,7 +236,7 @@ TEST(Breaking, IceThatNothingBreaksMovesAsIfItCouldNot) {
 TEST(Breaking, ThreadsChangeNoBit) {
   Rig one(bow() + breaking_ice("<bending/><splitting/>")), two(bow() + breaking_ice("<bending/><splitting/>"), 0.01, 2);
   std::size_t broken = 0;
-  for (int k = 0; k < 200; ++k) {
+  for (int k = 0; k < 130; ++k) {
     const sim::StepRecord a = one.simulation.step(), b = two.simulation.step();
     ASSERT_EQ(a.state_hash, b.state_hash) << k;
     broken += a.broken.size();
