@@ -56,6 +56,10 @@ constexpr int k_most_sweeps = 40;
 /// Newton's factorisations after a way that these sweeps do not finish. Where it finds the solution from there, it
 /// seldom needs more, and then the next ways would take hundreds of iterations.
 constexpr int k_short_newton = 20;
+/// A way that ends within k_turns_from times a loose tolerance is off at few contacts. There Newton and sweeps take
+/// turns, since sweeps move the contacts at which Newton is stuck. To any tolerance they do so last of all.
+constexpr double k_turns_from = 30;
+constexpr int k_rounds = 10, k_sweeps_of_round = 50;
 
 /// Newton seldom finds the solution from a larger share of the residual of no impulses than this [-].
 constexpr double k_near = 0.1;
@@ -117,6 +121,7 @@ class BodyClimb {
       const bool is_last = k + 1 == ways.size() || ways[k + 1].settings.shift == Shift::held;
       approach(ways[k].has_start ? start_ : VecX(VecX::Zero(start_.size())), ways[k].settings, is_last);
     }
+    take_turns(best_.r);
     best_.has_converged = best_.law_map_m_s <= settings_.tolerance;
     return std::move(best_);
   }
@@ -168,8 +173,8 @@ class BodyClimb {
     has_failed_ = true;
   }
 
-  /// The same for a loose tolerance, with sweeps before Newton, which has few factorisations unless the way is the last
-  /// of its kind.
+  /// The same for a loose tolerance, with sweeps before Newton and after it, which has few factorisations unless the
+  /// way is the last of its kind.
   void approach_loosely(const VecX& start, const InteriorSettings& way, bool is_last) {
     const double tolerance = settings_.tolerance;
     InteriorSettings settings = way;
@@ -186,30 +191,45 @@ class BodyClimb {
       note(found.history);
       reached = keep_better(found.r);
       near = std::move(found.r);
-      if (!is_done() && reached <= k_swept_from * tolerance) sweep(near);
+      if (!is_done() && reached <= k_swept_from * tolerance) sweep(near, k_most_sweeps);
       if (!(reached <= share * tolerance)) break;
     }
-    if (!is_done() && reached < k_near * still_) finish(near, is_last ? k_handovers[0].factorisations : k_short_newton);
+    if (reached <= k_turns_from * tolerance)
+      take_turns(near);
+    else if (!is_done() && reached < k_near * still_)
+      finish(near, is_last ? k_handovers[0].factorisations : k_short_newton);
     has_failed_ = true;
   }
 
-  void sweep(const VecX& near) {
-    const NsgsSettings settings{.shared = settings_, .has_momentum = true, .horizon = k_most_sweeps};
-    const auto found = NsgsSolver(settings).solve(island_, near, left().capped(k_most_sweeps));
+  void take_turns(const VecX& near) {
+    VecX r = near;
+    for (int round = 0; round < k_rounds; ++round) {
+      if (!is_done()) r = finish(r, k_short_newton);
+      if (!is_done()) r = sweep(r, k_sweeps_of_round);
+    }
+  }
+
+  /// Sweeps with momentum, as long as they promise to suffice. Returns the impulses.
+  VecX sweep(const VecX& near, int most) {
+    const NsgsSettings settings{.shared = settings_, .has_momentum = true, .horizon = most};
+    auto found = NsgsSolver(settings).solve(island_, near, left().capped(most));
     best_.sweeps += found.iterations;
     note(found.history);
     keep_better(found.r);
+    return std::move(found.r);
   }
 
-  void finish(const VecX& near, int factorisations) {
+  /// Newton. Returns the impulses.
+  VecX finish(const VecX& near, int factorisations) {
     if (!system_) system_.emplace(island_, bodies_, plan_);
     NewtonSettings settings{.shared = settings_};
     settings.least_weight = k_least_weight_on_bodies;
     settings.max_factorisations = factorisations;
-    const auto found = newton_on(*system_, near, settings, left());
+    auto found = newton_on(*system_, near, settings, left());
     best_.newton += found.iterations;
     note(found.history);
     keep_better(found.r);
+    return std::move(found.r);
   }
 
   const contact::PreparedProblem& island_;

@@ -6,6 +6,7 @@
 
 #include "contact/measure/measure.h"
 #include "contact/solvers/body_ladder.h"
+#include "tests/contact/fclib/recorded_problems.h"
 #include "tests/contact/solvers/bodies/island_with_vessel.h"
 
 namespace nilas::solvers {
@@ -139,6 +140,19 @@ TEST(BodyLadder, KeepsToItsBudget) {
   ASSERT_TRUE(found.has_value());
   EXPECT_LE(found->interior + found->newton, 7);
   EXPECT_LT(found->law_map_m_s, contact::measure(problem, VecX::Zero(3 * problem.num_contacts())).law_map_m_s);
+}
+
+/// A step of level ice that the ways with a slope leave at a few contacts: one way and turns of Newton and sweeps take
+/// half the iterations of all ways.
+TEST(BodyLadder, SolvesByTurnsWhatTheWaysLeave) {
+  const contact::FclibProblem file = contact::read_fclib(test::own_problem("loose/level-ice-jam"));
+  const auto problem = test::largest_island(std::get<contact::ContactProblem>(file.problem));
+  const auto found = climb(problem, {.tolerance = 1e-4, .max_iterations = 1000});
+  ASSERT_TRUE(found.has_value());
+  EXPECT_TRUE(found->has_converged) << found->law_map_m_s;
+  EXPECT_LE(contact::measure(problem, found->r).law_map_m_s, 1.001e-4);
+  EXPECT_GT(found->newton, 0);
+  EXPECT_LE(found->interior + found->sweeps + found->newton, 220);
 }
 
 TEST(BodyLadder, LeavesWhatItDoesNotKnowToOthers) {
