@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "contact/problem/row_of.h"
@@ -25,6 +26,36 @@ constexpr int k_most_for_delassus = 3000;
 void demand_size(const char* what, std::size_t found, std::size_t wanted) {
   if (found != wanted)
     refuse(std::string(what) + " has " + std::to_string(found) + " numbers; allowed: " + std::to_string(wanted));
+}
+
+/// The number of contacts of which W has three rows each; none where it is not square, or has other rows.
+std::optional<std::size_t> contacts_of_matrix(std::size_t numbers) {
+  const auto rows = static_cast<std::size_t>(std::llround(std::sqrt(static_cast<double>(numbers))));
+  if (rows * rows != numbers || rows % 3 != 0) return std::nullopt;
+  return rows / 3;
+}
+
+/// Refuses lists of a local problem whose lengths do not fit each other. Of the three, that against the other two is to
+/// blame.
+void demand_agreement(std::size_t W, std::size_t q, std::size_t mu) {
+  const auto of_W = contacts_of_matrix(W);
+  const auto of_q = q % 3 == 0 ? std::optional(q / 3) : std::nullopt;
+  if (of_W == mu && of_q == mu) return;
+  const auto text = [](std::size_t n) { return std::to_string(n); };
+  const auto squared = [&](std::size_t rows) {
+    return text(rows * rows) + " (" + text(rows) + " x " + text(rows) + ")";
+  };
+  if (of_W && of_W == of_q)
+    refuse("mu has " + text(mu) + " numbers; allowed: " + text(*of_W) + ", one for each contact of W, " +
+           squared(3 * *of_W) + ", and q, " + text(q));
+  if (of_q == mu)
+    refuse("W has " + text(W) + " numbers; allowed: " + squared(3 * mu) + ", since q has " + text(q) + " and mu " +
+           text(mu));
+  if (of_W == mu)
+    refuse("q has " + text(q) + " numbers; allowed: " + text(3 * mu) + ", since W has " + squared(3 * mu) + " and mu " +
+           text(mu));
+  refuse("W has " + text(W) + " numbers, q " + text(q) + " and mu " + text(mu) +
+         "; allowed for nc contacts: (3 nc) x (3 nc), 3 nc and nc");
 }
 
 void demand_finite(const char* what, std::span<const double> numbers) {
@@ -74,10 +105,9 @@ contact::FclibProblem stored(std::variant<contact::LocalProblem, contact::Contac
 
 namespace library {
 
-VecX impulses_of(const Problem::Content& content, std::span<const double> r) {
-  demand_size("the list of impulses", r.size(),
-              static_cast<std::size_t>(contact::row_of(content.stored.num_contacts())));
-  demand_finite("the list of impulses", r);
+VecX impulses_of(const Problem::Content& content, std::span<const double> r, const char* what) {
+  demand_size(what, r.size(), static_cast<std::size_t>(contact::row_of(content.stored.num_contacts())));
+  demand_finite(what, r);
   return vector_of(r);
 }
 
@@ -109,9 +139,7 @@ Problem::~Problem() = default;
 
 Problem Problem::local(std::span<const double> W, std::span<const double> q, std::span<const double> mu) {
   return library::translated([&] {
-    const std::size_t rows = 3 * mu.size();
-    demand_size("W", W.size(), rows * rows);
-    demand_size("q", q.size(), rows);
+    demand_agreement(W.size(), q.size(), mu.size());
     demand_finite("W", W);
     demand_finite("q", q);
     demand_finite("mu", mu);
@@ -134,7 +162,9 @@ int Problem::add_body(std::span<const double> mass, std::span<const double> mome
     if (!global) refuse("a problem in its local form takes no bodies");
     const std::size_t n = momentum.size();
     if (n == 0) refuse("a body has at least one velocity");
-    demand_size("mass", mass.size(), n * n);
+    if (mass.size() != n * n)
+      refuse("mass has " + std::to_string(mass.size()) + " numbers and momentum " + std::to_string(n) +
+             "; allowed for n velocities: n x n and n");
     demand_finite("mass", mass);
     demand_finite("momentum", momentum);
     const auto rows = static_cast<Eigen::Index>(n);
@@ -162,7 +192,10 @@ int Problem::add_contact(int body_a, std::span<const double> jacobian_a, int bod
         refuse("there is no body " + std::to_string(body) + "; allowed: -1 to " +
                std::to_string(global->num_blocks() - 1));
       const int columns = body < 0 ? 0 : global->block_size(body);
-      demand_size(what, jacobian.size(), 3 * static_cast<std::size_t>(columns));
+      if (jacobian.size() != 3 * static_cast<std::size_t>(columns))
+        refuse(std::string(what) + " has " + std::to_string(jacobian.size()) +
+               " numbers; allowed: " + std::to_string(3 * columns) + ", in 3 rows for the " + std::to_string(columns) +
+               " velocities of body " + std::to_string(body));
       demand_finite(what, jacobian);
       return ConstRowMajor(jacobian.data(), 3, columns);
     };

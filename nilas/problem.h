@@ -19,8 +19,8 @@ class NILAS_API Problem {
  public:
   /// A problem without bodies and contacts, for add_body() and add_contact().
   Problem();
-  /// A problem in its local form, u = W r + q. W: (3 nc) x (3 nc) [1/kg]; q: 3 nc [m/s]; mu: nc. Throws Error where
-  /// the sizes do not fit.
+  /// A problem in its local form, u = W r + q. W: (3 nc) x (3 nc) [1/kg]; q: 3 nc [m/s]; mu: nc. Throws Error,
+  /// which names the list that does not fit the others.
   static Problem local(std::span<const double> W, std::span<const double> q, std::span<const double> mu);
   /// Reads a file in FCLIB's format (HDF5). Throws Error.
   static Problem read(const std::filesystem::path& file);

@@ -14,8 +14,8 @@ struct Problem::Content {
 
 namespace library {
 
-/// Throws Error where the impulses are not three finite numbers per contact.
-VecX impulses_of(const Problem::Content& content, std::span<const double> r);
+/// Throws Error where the impulses are not three finite numbers per contact. what: their name in messages.
+VecX impulses_of(const Problem::Content& content, std::span<const double> r, const char* what = "the list of impulses");
 std::vector<double> listed(const VecX& x);
 /// Drops the guess and the solution that came with a problem, which no longer fit it.
 void forget_impulses(Problem::Content& content);

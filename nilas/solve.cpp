@@ -90,7 +90,7 @@ Solution solve(const Problem& problem, const SolveSettings& settings, std::span<
     const Form form = with_law(problem.content().stored.problem, law);
     if (const auto* global = std::get_if<contact::ContactProblem>(&form); global && global->has_moments())
       contact::demand_moments(entry, law.law);
-    const VecX first = guess.empty() ? VecX() : library::impulses_of(problem.content(), guess);
+    const VecX first = guess.empty() ? VecX() : library::impulses_of(problem.content(), guess, "guess");
     const auto solver = entry.make(settings_of(settings));
     const auto start = std::chrono::steady_clock::now();
     const contact::ContactSolution found = std::visit([&](const auto& p) { return solver->solve(p, first); }, form);

@@ -28,20 +28,47 @@ py::dict dict_of(const Residuals& residuals) {
 /// An array with three columns: one row per contact.
 py::array_t<double> by_contact(std::vector<double> numbers) { return rows_of(std::move(numbers), 3); }
 
-/// Impulses as (nc, 3), or one after the other.
-std::span<const double> impulses_of(const Problem& problem, const Numbers& r) {
-  return span_of("the array of impulses", r, {problem.num_contacts(), 3});
+/// Three numbers for each contact, as (nc, 3) or one after the other. `what`: their name in messages.
+std::span<const double> impulses_of(const Problem& problem, const char* what, const Numbers& r) {
+  return span_of(what, r, {problem.num_contacts(), 3});
 }
 
 Solution solved(const Problem& problem, const std::string& solver, const std::string& law, double tolerance,
-                const std::optional<Numbers>& guess, int max_iterations, double max_seconds, int threads,
-                bool history) {
+                const py::object& guess, int max_iterations, double max_seconds, int threads, bool history) {
   const SolveSettings settings{solver, law, tolerance, max_iterations, max_seconds, threads, history};
-  const std::span<const double> first = guess ? impulses_of(problem, *guess) : std::span<const double>();
-  if (guess && first.empty() && problem.num_contacts() > 0)
-    throw Error(ErrorKind::input, "guess is empty; allowed: three impulses for each contact, or None");
+  Numbers first;
+  if (!guess.is_none()) first = numbers_of("guess", guess);
+  const std::span<const double> impulses =
+      guess.is_none() ? std::span<const double>() : impulses_of(problem, "guess", first);
   const py::gil_scoped_release without_lock;
-  return solve(problem, settings, first);
+  return solve(problem, settings, impulses);
+}
+
+/// The shapes that hold for any number of contacts; whether the three arrays have the same number, the library checks.
+Problem local_problem(const py::object& W, const py::object& q, const py::object& mu) {
+  const Numbers matrix = numbers_of("W", W), velocities = numbers_of("q", q), friction = numbers_of("mu", mu);
+  const bool is_square = matrix.ndim() == 2 && matrix.shape(0) == matrix.shape(1) && matrix.shape(0) % 3 == 0;
+  demand_shape("W", matrix, is_square || matrix.ndim() == 1, "(3 nc, 3 nc) for nc contacts");
+  const bool has_rows = velocities.ndim() == 2 && velocities.shape(1) == 3;
+  demand_shape("q", velocities, has_rows || velocities.ndim() == 1, "(nc, 3) or (3 nc,) for nc contacts");
+  demand_shape("mu", friction, friction.ndim() == 1, "(nc,) for nc contacts");
+  const auto all = [](const Numbers& x) {
+    return std::span<const double>(x.data(), static_cast<std::size_t>(x.size()));
+  };
+  return Problem::local(all(matrix), all(velocities), all(friction));
+}
+
+int add_body(Problem& problem, const py::object& mass, const py::object& momentum) {
+  const Numbers matrix = numbers_of("mass", mass), vector = numbers_of("momentum", momentum);
+  return problem.add_body(span_of("mass", matrix, {-1, -1}), span_of("momentum", vector, {-1}));
+}
+
+int add_contact(Problem& problem, int body_a, const py::object& jacobian_a, int body_b, const py::object& jacobian_b,
+                const py::object& w, double mu) {
+  const Numbers a = numbers_of("jacobian_a", jacobian_a), b = numbers_of("jacobian_b", jacobian_b);
+  const Numbers gap = numbers_of("w", w);
+  return problem.add_contact(body_a, span_of("jacobian_a", a, {3, -1}), body_b, span_of("jacobian_b", b, {3, -1}),
+                             span_of("w", gap, {3}), mu);
 }
 
 void bind_problem(py::module_& module) {
@@ -49,34 +76,15 @@ void bind_problem(py::module_& module) {
                       "A contact problem: M v = f + H r, u = H^T v + w, or u = W r + q in its local form. Each contact "
                       "has a normal row and two tangential ones.")
       .def(py::init<>(), "A problem without bodies and contacts, for add_body() and add_contact().")
-      .def_static(
-          "local",
-          [](const Numbers& W, const Numbers& q, const Numbers& mu) {
-            const py::ssize_t nc = mu.size();
-            return Problem::local(span_of("W", W, {3 * nc, 3 * nc}), span_of("q", q, {nc, 3}), span_of("mu", mu, {nc}));
-          },
-          py::arg("W"), py::arg("q"), py::arg("mu"),
-          "The problem u = W r + q. W: (3 nc, 3 nc) [1/kg]; q: (3 nc,) or (nc, 3) [m/s]; mu: (nc,).")
+      .def_static("local", &local_problem, py::arg("W"), py::arg("q"), py::arg("mu"),
+                  "The problem u = W r + q. W: (3 nc, 3 nc) [1/kg]; q: (3 nc,) or (nc, 3) [m/s]; mu: (nc,).")
       .def_static("read", &Problem::read, py::arg("file"), "Reads a file in FCLIB's format (HDF5).")
-      .def(
-          "add_body",
-          [](Problem& self, const Numbers& mass, const Numbers& momentum) {
-            const py::ssize_t n = momentum.size();
-            return self.add_body(span_of("mass", mass, {n, n}), span_of("momentum", momentum, {n}));
-          },
-          py::arg("mass"), py::arg("momentum"),
-          "Adds a body with n velocities and returns its index. mass: (n, n); momentum: (n,), M v without contacts.")
-      .def(
-          "add_contact",
-          [](Problem& self, int body_a, const Numbers& jacobian_a, int body_b, const Numbers& jacobian_b,
-             const Numbers& w, double mu) {
-            return self.add_contact(body_a, span_of("jacobian_a", jacobian_a, {3, -1}), body_b,
-                                    span_of("jacobian_b", jacobian_b, {3, -1}), span_of("w", w, {3}), mu);
-          },
-          py::arg("body_a"), py::arg("jacobian_a"), py::arg("body_b"), py::arg("jacobian_b"), py::arg("w"),
-          py::arg("mu"),
-          "Adds a contact and returns its index. Body -1 does not move, and its jacobian is empty. jacobians: (3, n); "
-          "w: (3,) [m/s].")
+      .def("add_body", &add_body, py::arg("mass"), py::arg("momentum"),
+           "Adds a body with n velocities and returns its index. mass: (n, n); momentum: (n,), M v without contacts.")
+      .def("add_contact", &add_contact, py::arg("body_a"), py::arg("jacobian_a"), py::arg("body_b"),
+           py::arg("jacobian_b"), py::arg("w"), py::arg("mu"),
+           "Adds a contact and returns its index. Body -1 does not move, and its jacobian is empty. jacobians: (3, n); "
+           "w: (3,) [m/s].")
       .def_property_readonly("num_contacts", &Problem::num_contacts)
       .def_property_readonly("num_velocities", &Problem::num_velocities, "0 in the local form.")
       .def_property_readonly("is_local", &Problem::is_local)
@@ -108,18 +116,24 @@ void bind_problem(py::module_& module) {
           "Impulses that came with the problem, (nc, 3) [N s], or None.")
       .def(
           "contact_velocities",
-          [](const Problem& self, const Numbers& r) {
-            return by_contact(self.contact_velocities(impulses_of(self, r)));
+          [](const Problem& self, const py::object& impulses) {
+            const Numbers r = numbers_of("impulses", impulses);
+            return by_contact(self.contact_velocities(impulses_of(self, "impulses", r)));
           },
           py::arg("impulses"), "Velocities at the contacts under impulses (nc, 3), as (nc, 3) [m/s].")
       .def(
           "velocities",
-          [](const Problem& self, const Numbers& r) { return array_of(self.velocities(impulses_of(self, r))); },
+          [](const Problem& self, const py::object& impulses) {
+            const Numbers r = numbers_of("impulses", impulses);
+            return array_of(self.velocities(impulses_of(self, "impulses", r)));
+          },
           py::arg("impulses"), "Velocities of the bodies under impulses (nc, 3); empty in the local form.")
       .def(
           "write",
-          [](const Problem& self, const std::filesystem::path& file, const std::optional<Numbers>& impulses) {
-            self.write(file, impulses ? impulses_of(self, *impulses) : std::span<const double>());
+          [](const Problem& self, const std::filesystem::path& file, const py::object& impulses) {
+            if (impulses.is_none()) return self.write(file);
+            const Numbers r = numbers_of("impulses", impulses);
+            self.write(file, impulses_of(self, "impulses", r));
           },
           py::arg("file"), py::arg("impulses") = py::none(),
           "Writes the problem in FCLIB's format, with impulses as its solution if they are given.");
@@ -162,8 +176,9 @@ void bind_problems(py::module_& module) {
              py::arg("history") = false);
   module.def(
       "measure",
-      [](const Problem& problem, const Numbers& impulses, const std::string& law) {
-        return dict_of(measure(problem, impulses_of(problem, impulses), law));
+      [](const Problem& problem, const py::object& impulses, const std::string& law) {
+        const Numbers r = numbers_of("impulses", impulses);
+        return dict_of(measure(problem, impulses_of(problem, "impulses", r), law));
       },
       py::arg("problem"), py::arg("impulses"), py::kw_only(), py::arg("law") = "coulomb");
   module.def("solvers", [] {

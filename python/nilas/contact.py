@@ -19,7 +19,6 @@ True
 import os
 from typing import Any
 
-import numpy as np
 from numpy.typing import ArrayLike
 
 from nilas import _core
@@ -67,7 +66,7 @@ def solve(
         solver=solver,
         law=law,
         tolerance=tolerance,
-        guess=None if guess is None else np.asarray(guess, dtype=float),
+        guess=guess,
         max_iterations=max_iterations,
         max_seconds=max_seconds,
         threads=threads,
@@ -82,7 +81,7 @@ def measure(problem: Source, impulses: ArrayLike, *, law: str = "coulomb") -> di
     >>> measure(problem, [[0, 0, 0]])["law_map_m_s"]
     1.0
     """
-    return _core.measure(problem_of(problem), np.asarray(impulses, dtype=float), law=law)
+    return _core.measure(problem_of(problem), impulses, law=law)
 
 
 def solvers() -> dict[str, dict[str, Any]]:

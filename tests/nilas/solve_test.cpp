@@ -112,6 +112,12 @@ TEST(Solve, FaultsSayWhatIsAllowed) {
                 },
                 "allowed: 9"),
             ErrorKind::input);
+  const Numbers W(36), q(6);
+  EXPECT_EQ(kind_of([&] { Problem::local(W, q, Numbers{0.1}); }, "mu has 1 numbers; allowed: 2"), ErrorKind::input);
+  EXPECT_EQ(kind_of([&] { Problem::local(W, Numbers(9), Numbers(2)); }, "q has 9 numbers; allowed: 6"),
+            ErrorKind::input);
+  EXPECT_EQ(kind_of([&] { Problem::local(Numbers(81), q, Numbers(2)); }, "W has 81 numbers; allowed: 36"),
+            ErrorKind::input);
   EXPECT_EQ(kind_of([] { Problem::read("/no/such/file.hdf5"); }, "/no/such/file.hdf5"), ErrorKind::file);
   EXPECT_EQ(problem.num_contacts(), 1) << "what was refused must leave the problem as it was";
 }

@@ -80,7 +80,10 @@ def test_a_guess_and_a_history():
         ({"solver": "newtn"}, "newton"),
         ({"law": "coulom"}, "coulomb"),
         ({"solver": "admm", "law": "pyramid"}, "coulomb"),
-        ({"guess": [1.0]}, "allowed: 3"),
+        ({"guess": [1.0]}, r"guess has the shape \(1,\); allowed: \(1, 3\) or \(3,\)"),
+        ({"guess": [[1.0, 0], [2.0]]}, "guess is no array of real numbers; found list"),
+        ({"guess": "abc"}, "guess is no array of real numbers; found str"),
+        ({"guess": [1j, 0, 0]}, "guess is no array of real numbers; found list of complex128"),
         ({"guess": [[np.nan, 0, 0]]}, "not finite"),
         ({"threads": 0}, "at least 1"),
         ({"tolerance": -1.0}, "0 or above"),
@@ -96,9 +99,49 @@ def test_arrays_of_another_shape_are_refused():
     impulses = nilas.solve(problem).impulses
     with pytest.raises(nilas.InputError, match=r"shape \(3, 5\); allowed: \(5, 3\)"):
         nilas.measure(problem, impulses.T)
-    with pytest.raises(nilas.InputError, match="jacobian_b has the shape"):
-        problem.add_contact(-1, [], 0, np.ones((9, 1)), [0, 0, 0], 0.1)
+    for name, call in {
+        r"jacobian_b has the shape \(9, 1\); allowed: \(3, n\)": lambda: problem.add_contact(
+            -1, [], 0, np.ones((9, 1)), [0, 0, 0], 0.1
+        ),
+        "jacobian_b has 18 numbers; allowed: 9, in 3 rows for the 3 velocities of body 0": lambda: problem.add_contact(
+            -1, [], 0, np.ones((3, 6)), [0, 0, 0], 0.1
+        ),
+        r"w has the shape \(2,\); allowed: \(3,\)": lambda: problem.add_contact(-1, [], 0, np.eye(3), [0, 0], 0.1),
+        r"momentum has the shape \(3, 1\); allowed: \(n,\)": lambda: problem.add_body(np.eye(3), np.ones((3, 1))),
+        "mass has 9 numbers and momentum 2; allowed for n velocities: n x n and n": lambda: problem.add_body(
+            np.eye(3), [0, 0]
+        ),
+        r"impulses has the shape \(14,\); allowed: \(5, 3\) or \(15,\)": lambda: problem.contact_velocities([0] * 14),
+        "impulses is no array of real numbers": lambda: problem.velocities(["a"] * 15),
+    }.items():
+        with pytest.raises(nilas.InputError, match=name):
+            call()
     assert problem.num_contacts == 5
+
+
+W2, Q2, MU2 = np.eye(6), np.zeros(6), [0.1, 0.2]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ((W2, Q2, [0.1]), r"mu has 1 numbers; allowed: 2, one for each contact of W, 36 \(6 x 6\), and q, 6"),
+        ((W2, Q2, [0.1] * 3), "mu has 3 numbers; allowed: 2"),
+        ((np.eye(9), Q2, MU2), r"W has 81 numbers; allowed: 36 \(6 x 6\), since q has 6 and mu 2"),
+        ((W2, np.zeros((3, 3)), MU2), r"q has 9 numbers; allowed: 6, since W has 36 \(6 x 6\) and mu 2"),
+        ((W2, np.zeros(3), [0.1] * 3), r"W has 36 numbers, q 3 and mu 3; allowed for nc contacts"),
+        ((np.eye(4), Q2, MU2), r"W has the shape \(4, 4\); allowed: \(3 nc, 3 nc\)"),
+        ((np.zeros(35), Q2, MU2), "W has 35 numbers; allowed: 36"),
+        ((W2, np.zeros((3, 2)), MU2), r"q has the shape \(3, 2\); allowed: \(nc, 3\) or \(3 nc,\)"),
+        ((W2, Q2, [MU2]), r"mu has the shape \(1, 2\); allowed: \(nc,\)"),
+        ((W2, Q2, 0.1), r"mu has the shape \(\); allowed: \(nc,\)"),
+        (("W", Q2, MU2), "W is no array of real numbers; found str"),
+        ((W2, Q2, [0.1, -0.1]), "mu has a negative number"),
+    ],
+)
+def test_the_array_of_a_local_problem_that_does_not_fit_is_named(arguments, message):
+    with pytest.raises(nilas.InputError, match=message):
+        nilas.Problem.local(*arguments)
 
 
 def test_a_longer_problem_forgets_its_solution(tmp_path):
