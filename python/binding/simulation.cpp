@@ -31,7 +31,7 @@ void bind_steps(py::module_& module) {
           "angular_velocity", [](const VesselStep& self) { return array_of(self.angular_velocity); }, "(3,) [rad/s]")
       .def_property_readonly(
           "orientation", [](const VesselStep& self) { return array_of(self.orientation); },
-          "(4,) unit quaternion w, x, y, z from body axes to the ground frame");
+          "(4,) unit quaternion (w, x, y, z) from body axes to the ground frame");
   py::class_<Step>(module, "Step", "What one step did.")
       .def_readonly("number", &Step::number, "The first is 1.")
       .def_readonly("time", &Step::time, "At its end [s].")
@@ -62,7 +62,7 @@ void bind_bodies(py::module_& module) {
           "(n, 3) centre of mass [m]")
       .def_property_readonly(
           "orientation", [](const BodyStates& self) { return fixed_rows_of(self.orientation, 4); },
-          "(n, 4) unit quaternions w, x, y, z from body axes to the ground frame")
+          "(n, 4) unit quaternions (w, x, y, z) from body axes to the ground frame")
       .def_property_readonly(
           "velocity", [](const BodyStates& self) { return fixed_rows_of(self.velocity, 3); }, "(n, 3) [m/s]")
       .def_property_readonly(

@@ -141,7 +141,15 @@ class Simulation:
 
     @property
     def bodies(self) -> _core.BodyStates:
-        """All bodies now: id, name, kind, mass, position, orientation, velocity, angular_velocity."""
+        """All n bodies now, a row per body, in the ground frame.
+
+        `id`, `name` and `kind` are lists. `mass`: (n,) [kg]. `position`: (n, 3) [m], of the centres of mass.
+        `orientation`: (n, 4), unit quaternions in the order (w, x, y, z), from body axes to the ground frame.
+        `velocity`: (n, 3) [m/s]. `angular_velocity`: (n, 3) [rad/s]. The arrays are copies that cannot be changed.
+
+        >>> Simulation(small_scene).bodies.orientation[0].tolist()  # the vessel is upright
+        [1.0, 0.0, 0.0, 0.0]
+        """
         return self._core.bodies
 
     @property

@@ -196,7 +196,7 @@ def _add_body(document: _Document, motion: Motion, place: int, body: Body) -> in
     known = np.flatnonzero(there)
     nearest = known[np.abs(np.arange(len(there))[:, None] - known).argmin(axis=1)]
     position = position[nearest]
-    turn = with_steady_signs(motion.poses.quaternion[nearest, place])[:, [1, 2, 3, 0]]
+    turn = with_steady_signs(motion.poses.orientation[nearest, place])[:, [1, 2, 3, 0]]
     node = len(document.nodes)
     document.nodes.append(
         {

@@ -112,7 +112,7 @@ def _add_body(
         "body",
         name=_body_name(body),
         pos=_text(motion.poses.position[0, place]),
-        quat=_text(motion.poses.quaternion[0, place]),
+        quat=_text(motion.poses.orientation[0, place]),
     )
     shape = None if body.shape is None else motion.shapes[body.shape]
     if not body.fixed and shape is not None:
@@ -163,12 +163,12 @@ def _add_keyframe(root: Element, motion: Motion, present: list[tuple[int, Body]]
     if not moving:
         return
     poses = motion.poses
-    pose = np.concatenate([poses.position[0, moving], poses.quaternion[0, moving]], axis=1)
+    pose = np.concatenate([poses.position[0, moving], poses.orientation[0, moving]], axis=1)
     keyframe = ElementTree.SubElement(root, "keyframe")
     key = ElementTree.SubElement(keyframe, "key", name="nilas", qpos=_text(pose.ravel()))
     if poses.source == "bodies.csv":
         turning = [
-            _into_body(poses.quaternion[0, place], poses.angular_velocity[0, place])
+            _into_body(poses.orientation[0, place], poses.angular_velocity[0, place])
             for place in moving
         ]
         key.set("qvel", _text(np.concatenate([poses.velocity[0, moving], turning], axis=1).ravel()))

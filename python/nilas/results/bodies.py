@@ -27,7 +27,8 @@ class Bodies:
 
     ``times``: shape (times,) [s]. ``ids``: shape (bodies,), as in contacts and events. ``names``:
     one per body; floes of a replay have none. ``position``: shape (times, bodies, 3) [m], of the
-    centres of mass. ``quaternion``: shape (times, bodies, 4), w x y z, from body axes to G.
+    centres of mass. ``orientation``: shape (times, bodies, 4), unit quaternions in the
+    order (w, x, y, z), from body axes to G, as in a simulation.
     Numbers are nan where a body does not exist, as floes that broke and pieces of floes.
     ``source``: ``bodies.csv``, which has all bits, or ``replay.bin``, which rounds.
 
@@ -40,7 +41,7 @@ class Bodies:
     ids: NDArray[np.int64]
     names: list[str]
     position: NDArray[np.float64]
-    quaternion: NDArray[np.float64]
+    orientation: NDArray[np.float64]
     source: str
     _velocity: NDArray[np.float64] | None = None
     _angular_velocity: NDArray[np.float64] | None = None
@@ -96,7 +97,7 @@ class Bodies:
             self.ids[at],
             self.names[at],
             self.position[:, at],
-            self.quaternion[:, at],
+            self.orientation[:, at],
             self.source,
             None if self._velocity is None else self._velocity[:, at],
             None if self._angular_velocity is None else self._angular_velocity[:, at],
@@ -153,7 +154,7 @@ def _from_frames(frames: list[Frame]) -> Bodies:
     poses = np.full((len(frames), len(ids), _PLACES), np.nan)
     for row, frame in enumerate(frames):
         columns = np.searchsorted(ids, [body.id for body in frame.bodies])
-        poses[row, columns] = np.concatenate([frame.position, frame.quaternion], axis=1)
+        poses[row, columns] = np.concatenate([frame.position, frame.orientation], axis=1)
     return Bodies(
         np.array([frame.time for frame in frames]),
         ids,

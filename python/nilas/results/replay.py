@@ -61,14 +61,14 @@ class Body(NamedTuple):
 class Frame:
     """All bodies at one time. ``position``: (bodies, 3) [m, G], of the centres of mass.
 
-    ``quaternion``: (bodies, 4), w x y z, from body axes to G.
+    ``orientation``: (bodies, 4), unit quaternions in the order (w, x, y, z), from body axes to G.
     """
 
     time: float
     step: int
     bodies: list[Body]
     position: NDArray[np.float64]
-    quaternion: NDArray[np.float64]
+    orientation: NDArray[np.float64]
 
 
 @dataclass

@@ -62,7 +62,7 @@ def test_nodes_move_as_the_bodies_did(small_run: nilas.Run, tmp_path: Path) -> N
         moved = array(document, data, channels["translation"]["output"])
         assert moved == pytest.approx(bodies.position[:, place], abs=1e-6)
         turned = array(document, data, channels["rotation"]["output"])[:, [3, 0, 1, 2]]
-        along = np.einsum("ij,ij->i", turned, bodies.quaternion[:, place])
+        along = np.einsum("ij,ij->i", turned, bodies.orientation[:, place])
         assert np.abs(along) == pytest.approx(1, abs=1e-6)
         assert (np.einsum("ij,ij->i", turned[1:], turned[:-1]) > 0).all()
 

@@ -33,7 +33,7 @@ def test_arrays_have_the_values_of_the_table(small_run: nilas.Run) -> None:
         time, place = np.flatnonzero(bodies.times == line.time_s)[0], bodies.place(int(line.id))
         assert bodies.names[place] == line["name"]
         assert list(bodies.position[time, place]) == [line.x_m, line.y_m, line.z_m]
-        assert list(bodies.quaternion[time, place]) == [line.qw, line.qx, line.qy, line.qz]
+        assert list(bodies.orientation[time, place]) == [line.qw, line.qx, line.qy, line.qz]
         assert list(bodies.velocity[time, place]) == [line.vx_m_s, line.vy_m_s, line.vz_m_s]
         assert bodies.angular_velocity[time, place, 2] == line.wz_rad_s
 
@@ -62,8 +62,8 @@ def test_the_replay_has_the_same_poses_within_its_error(own_folder: Path) -> Non
     units = np.array([run.replay.bodies()[int(number)].unit for number in rounded.ids])
     errors = np.abs(rounded.position - exact.position)
     assert (errors <= 0.5001 * units[None, :, None]).all()
-    same = np.sign(np.einsum("tbk,tbk->tb", rounded.quaternion, exact.quaternion))
-    assert np.abs(rounded.quaternion * same[:, :, None] - exact.quaternion).max() <= 2 / 32768
+    same = np.sign(np.einsum("tbk,tbk->tb", rounded.orientation, exact.orientation))
+    assert np.abs(rounded.orientation * same[:, :, None] - exact.orientation).max() <= 2 / 32768
     with pytest.raises(nilas.NoRun, match="replay.bin has no velocities"):
         _ = rounded.velocity
 
@@ -80,7 +80,7 @@ def test_shapes_and_poses_give_the_surfaces_that_paraview_shows(small_run: nilas
         assert floe.shape is not None
         shape = small_run.replay.shapes[floe.shape]
         place = bodies.place(floe.id)
-        upper = turned(bodies.quaternion[time, place], shape.points[shape.polygons[1]])
+        upper = turned(bodies.orientation[time, place], shape.points[shape.polygons[1]])
         expected = faces[floe.id]
         assert np.abs(upper + bodies.position[time, place] - expected).max() < 2e-6
         assert floe.thickness == pytest.approx(0.04)

@@ -56,7 +56,7 @@ def test_frames_from_the_middle_are_those_of_the_whole(small_scene: Path, tmp_pa
     some = run.read_bodies(between=(0.645, 0.675))
     assert some.times == pytest.approx([0.65, 0.66, 0.67])
     assert np.array_equal(some.position, whole.position[65:68])
-    assert np.array_equal(some.quaternion, whole.quaternion[65:68])
+    assert np.array_equal(some.orientation, whole.orientation[65:68])
 
 
 def test_loads_on_fixed_bodies_have_tables(breaking_run: nilas.Run) -> None:

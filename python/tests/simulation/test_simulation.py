@@ -79,6 +79,18 @@ def test_tables_are_those_of_the_run_folder(tmp_path, small_scene):
     )
 
 
+def test_poses_have_the_names_and_the_order_of_those_that_are_read(tmp_path, small_scene):
+    with nilas.Simulation(small_scene, folder=tmp_path / "run") as simulation:
+        simulation.run()
+    here, there = simulation.bodies, nilas.Run(tmp_path / "run").bodies
+    assert there.source == "bodies.csv" and there.times[-1] == simulation.time
+    order = [there.place(number) for number in here.id]
+    for name in ("position", "orientation", "velocity", "angular_velocity"):
+        assert np.array_equal(getattr(here, name), getattr(there, name)[-1, order])
+    # The floes turn about z alone but for their roll and pitch: the scalar part is the first and the largest.
+    assert (abs(here.orientation[:, 0]) > abs(here.orientation[:, 1:3]).max()).all()
+
+
 def test_snapshots_return_to_the_same_bits():
     simulation = nilas.Simulation(balls())
     hashes(simulation, 10)
