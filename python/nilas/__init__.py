@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     from nilas.errors import InputError as InputError
     from nilas.errors import NilasError as NilasError
     from nilas.errors import SimulationError as SimulationError
+    from nilas.errors import UnknownName as UnknownName
     from nilas.exchange.fclib import FclibProblem as FclibProblem
     from nilas.exchange.fclib import read_fclib as read_fclib
     from nilas.exchange.shapefile import field_from_shapefile as field_from_shapefile
@@ -63,6 +64,7 @@ _HOMES = {
     "InputError": "nilas.errors",
     "NilasError": "nilas.errors",
     "SimulationError": "nilas.errors",
+    "UnknownName": "nilas.errors",
     # the program
     "Failed": "nilas.program",
     "NotFound": "nilas.program",

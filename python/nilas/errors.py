@@ -1,4 +1,4 @@
-"""The exceptions of the package.
+"""The exceptions of the package. All of them are ``NilasError``.
 
 Every message is a whole sentence that names the place and what is allowed, as the program's messages do.
 
@@ -13,6 +13,15 @@ class NilasError(Exception):
 
 class InputError(NilasError, ValueError):
     """A scene, a problem or an argument is wrong."""
+
+
+class UnknownName(InputError, KeyError):
+    """A body, a column or another thing of this name does not exist. The message names those that come near.
+
+    It is a KeyError too, as that of a dictionary.
+    """
+
+    __str__ = Exception.__str__  # that of KeyError puts the message in quotes
 
 
 class FileError(NilasError, OSError):

@@ -10,7 +10,7 @@ import numpy as np
 
 from nilas import _core
 from nilas.errors import InputError
-from nilas.scene.names import unknown
+from nilas.names import unknown
 from nilas.scene.scene import Scene, Settings, checked
 
 if TYPE_CHECKING:
@@ -212,7 +212,7 @@ class Simulation:
         if isinstance(body, str):
             names = self.bodies.name
             if body not in names:
-                raise unknown(f"There is no body '{body}'", body, names)
+                raise unknown(f"There is no body '{body}'", body, names, what="bodies")
             return names.index(body)
         if isinstance(body, bool) or not isinstance(body, numbers.Integral):
             raise InputError(f"A body is named by its index or its name; found {body!r}.")

@@ -15,6 +15,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from nilas.errors import FileError, InputError
+
 if TYPE_CHECKING:
     import h5py
     from scipy.sparse import csc_matrix
@@ -82,18 +84,18 @@ def read_fclib(path: str | os.PathLike[str]) -> FclibProblem:
     try:
         file = h5py.File(source, "r")
     except OSError as fault:
-        raise FileNotFoundError(f"{source}: this cannot be read as HDF5: {fault}") from None
+        raise FileError(f"{source}: this cannot be read as HDF5: {fault}") from None
     with file:
         if _ROLLING in file:
-            raise ValueError(
+            raise InputError(
                 f"{source}: rolling friction has five rows a contact; use nilas solve."
             )
         root = next((name for name in (_GLOBAL, _LOCAL) if name in file), None)
         if root is None:
-            raise ValueError(f"{source}: this holds no contact problem in FCLIB form.")
+            raise InputError(f"{source}: this holds no contact problem in FCLIB form.")
         group = file[root]
         if int(np.ravel(group["spacedim"][()])[0]) != 3:
-            raise ValueError(f"{source}: the problem is not three-dimensional.")
+            raise InputError(f"{source}: the problem is not three-dimensional.")
         vectors = {name: np.asarray(values[:], float) for name, values in group["vectors"].items()}
         impulses = np.asarray(file["solution/r"][:], float) if "solution/r" in file else None
         if root == _LOCAL:

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from nilas.errors import InputError
 from nilas.exchange.snapshot import Motion, motion_of, with_steady_signs
 from nilas.exchange.triangles import triangles_of
 from nilas.results.replay import Body
@@ -44,7 +45,7 @@ def write_gltf(run: Run, path: Path, between: tuple[float, float] | None) -> Pat
     at the first frame. A floe that broke shrinks to nothing at once, and its pieces appear.
     """
     if path.suffix.lower() != ".glb":
-        raise ValueError(f"{path}: the name must end in .glb, the binary form of glTF.")
+        raise InputError(f"{path}: the name must end in .glb, the binary form of glTF.")
     motion = motion_of(run, between)
     document = _Document()
     nodes = []

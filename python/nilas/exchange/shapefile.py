@@ -11,6 +11,9 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from nilas.errors import FileError, InputError
+from nilas.names import unknown
+
 _POLYGONS = {5: "POLYGON", 15: "POLYGONZ", 25: "POLYGONM"}
 
 
@@ -45,7 +48,7 @@ def field_from_shapefile(
     (2, 'field.geojson')
     """
     if holes not in ("refuse", "fill"):
-        raise ValueError(f"holes is 'refuse' or 'fill', not {holes!r}.")
+        raise InputError(f"holes is 'refuse' or 'fill', not {holes!r}.")
     source = Path(shapefile)
     _demand_metres(source)
     columns = {"thickness_m": thickness, "density_kg_m3": density}
@@ -58,7 +61,7 @@ def field_from_shapefile(
         }
         outer, inner = _rings(points, bounds)
         if inner and holes == "refuse":
-            raise ValueError(
+            raise InputError(
                 f"{source}: record {number} has a hole, and a floe has none. holes='fill' fills it."
             )
         filled += inner
@@ -81,10 +84,10 @@ def _records(
     try:
         reader = pyshp.Reader(str(source))
     except pyshp.ShapefileException as fault:
-        raise FileNotFoundError(f"{source}: this cannot be read as a shapefile: {fault}") from None
+        raise FileError(f"{source}: this cannot be read as a shapefile: {fault}") from None
     with reader:
         if reader.shapeType not in _POLYGONS:
-            raise ValueError(
+            raise InputError(
                 f"{source}: it holds {reader.shapeTypeName} and not polygons, so no outlines."
             )
         for number, item in enumerate(reader.iterShapeRecords(), start=1):
@@ -99,7 +102,7 @@ def _demand_metres(source: Path) -> None:
     if projection.is_file() and projection.read_text(errors="replace").lstrip().startswith(
         "GEOGCS"
     ):
-        raise ValueError(
+        raise InputError(
             f"{source}: its coordinates are degrees of longitude and latitude, as {projection.name}"
             " says. Project it to metres first, as by: ogr2ogr -t_srs EPSG:3413 metres.shp"
             f" {source.name}"
@@ -133,10 +136,10 @@ def _feature(ring: NDArray[np.float64], properties: dict[str, float]) -> dict[st
 
 def _value(record: dict[str, Any], column: str, number: int, source: Path) -> float:
     if column not in record:
-        raise KeyError(f"{source}: there is no column {column}. It has {', '.join(record)}.")
+        raise unknown(f"{source}: there is no column '{column}'", column, record)
     try:
         return float(record[column])
     except (TypeError, ValueError):
-        raise ValueError(
+        raise InputError(
             f"{source}: {column} of record {number} is {record[column]!r} and not a number."
         ) from None

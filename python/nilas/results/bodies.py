@@ -9,6 +9,8 @@ import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
 
+from nilas.errors import UnknownName
+from nilas.names import unknown
 from nilas.results.folder import NoRun
 from nilas.results.replay import Frame, Replay
 from nilas.results.tables import read_table
@@ -76,13 +78,13 @@ class Bodies:
         True
         """
         if isinstance(body, str):
-            found = [place for place, name in enumerate(self.names) if name == body]
-            known = ", ".join(sorted({name for name in self.names if name})[:20])
-        else:
-            found = np.flatnonzero(self.ids == body).tolist()
-            known = f"ids from {self.ids.min()} to {self.ids.max()}" if len(self.ids) else "no body"
-        if not found:
-            raise KeyError(f"There is no body {body!r}. There are {known}.")
+            if body not in self.names:
+                raise unknown(f"There is no body '{body}'", body, self.names, what="bodies")
+            return self.names.index(body)
+        found = np.flatnonzero(self.ids == body)
+        if not len(found):
+            known = f"ids from {self.ids.min()} to {self.ids.max()}" if len(self.ids) else "none"
+            raise UnknownName(f"There is no body of the id {body!r}; allowed: {known}.")
         return int(found[0])
 
     def one(self, body: int | str) -> Bodies:

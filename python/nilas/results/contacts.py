@@ -11,6 +11,7 @@ import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
 
+from nilas.names import unknown
 from nilas.results.folder import NoRun
 
 if TYPE_CHECKING:
@@ -120,7 +121,7 @@ class Contacts:
         3
         """
         if name not in _VECTORS:
-            raise KeyError(f"There is no vector '{name}'. The vectors are {', '.join(_VECTORS)}.")
+            raise unknown(f"There is no vector '{name}'", name, _VECTORS)
         columns = [_VECTORS[name].format(axis) for axis in "xyz"]
         return self.between(start, end, columns).to_numpy(dtype=float)
 
@@ -149,11 +150,9 @@ class Contacts:
         self, file: h5py.File, first: int, last: int, columns: Sequence[str] | None
     ) -> pd.DataFrame:
         names = _names(file)
-        unknown = [column for column in columns or () if column not in names]
-        if unknown:
-            raise KeyError(
-                f"{self.file}: there is no column {', '.join(unknown)}. It has {', '.join(names)}."
-            )
+        for column in columns or ():
+            if column not in names:
+                raise unknown(f"{self.file}: there is no column '{column}'", column, names)
         chosen = names if columns is None else list(columns)
         group = file[_GROUP]
         frame = pd.DataFrame({name: group[name][first:last] for name in chosen}, columns=chosen)

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import pandas as pd
 
+from nilas.names import unknown
 from nilas.results.folder import NoRun
 from nilas.results.units import units_of
 
@@ -79,7 +80,7 @@ def read_table(
 def table_file(folder: Path, name: str) -> Path:
     """The file of a table. Raises ``NoRun`` where the run does not have it."""
     if name not in TABLES:
-        raise ValueError(f"There is no table '{name}'. The tables are {', '.join(TABLES)}.")
+        raise unknown(f"There is no table '{name}'", name, TABLES)
     kind = TABLES[name]
     if not (folder / kind.file).is_file():
         raise NoRun(f"{folder}: this run has no {kind.file}; {kind.when}.")
@@ -123,11 +124,9 @@ def _with_time(columns: Sequence[str] | None, header: list[str], file: Path) -> 
         return None
     if isinstance(columns, str):
         raise TypeError(f"columns is a list of names. Write columns=['{columns}'].")
-    unknown = [column for column in columns if column not in header]
-    if unknown:
-        raise KeyError(
-            f"{file}: there is no column {', '.join(unknown)}. It has {', '.join(header)}."
-        )
+    for column in columns:
+        if column not in header:
+            raise unknown(f"{file}: there is no column '{column}'", column, header, what="columns")
     return [TIME, *(column for column in columns if column != TIME)]
 
 

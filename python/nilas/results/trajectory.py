@@ -13,6 +13,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from nilas.names import unknown
 from nilas.results.folder import NoRun
 from nilas.results.lz4 import expand
 
@@ -113,7 +114,7 @@ class Trajectory:
         nearest = min(self._frames, key=lambda at: (abs(at - time), at))
         frame = self._frames[nearest]
         if block not in frame:
-            raise KeyError(f"The frames have no block '{block}'. They have {', '.join(frame)}.")
+            raise unknown(f"The frames have no block '{block}'", block, frame)
         return read_vtp(self._folder / frame[block])
 
     def surfaces(self, block: str) -> Iterator[tuple[float, Surface]]:

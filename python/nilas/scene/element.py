@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from nilas.errors import InputError
-from nilas.scene.names import unknown
+from nilas.names import unknown
 from nilas.scene.table import table_of
 from nilas.scene.values import written
 
@@ -25,7 +25,7 @@ class Element:
     </contact>
     >>> Element("contact", tolerence=1e-8)
     Traceback (most recent call last):
-    nilas.errors.InputError: <contact> has no attribute 'tolerence'; did you mean tolerance?
+    nilas.errors.UnknownName: <contact> has no attribute 'tolerence'; did you mean tolerance?
     """
 
     def __init__(self, tag: str, /, *children: "Element", **attributes: Any) -> None:
@@ -61,7 +61,7 @@ class Element:
 
         >>> Element("contact").append(Element("vessel", name="ship"))
         Traceback (most recent call last):
-        nilas.errors.InputError: <vessel> cannot stand in <contact>; allowed: <friction>.
+        nilas.errors.UnknownName: <vessel> cannot stand in <contact>; allowed: <friction>.
         """
         if child.tag not in self._table.children:
             raise unknown(

@@ -5,6 +5,7 @@ import functools
 from typing import Any
 
 from nilas import _core
+from nilas.names import unknown
 
 
 @dataclasses.dataclass(frozen=True)
@@ -47,10 +48,8 @@ def table_of(name: str) -> ElementTable:
 
     >>> table_of("tme")
     Traceback (most recent call last):
-    nilas.errors.InputError: There is no element <tme> in a scene; did you mean <time>?
+    nilas.errors.UnknownName: There is no element <tme> in a scene; did you mean <time>?
     """
-    from nilas.scene.names import unknown
-
     found = table().get(name)
     if found is None:
         raise unknown(f"There is no element <{name}> in a scene", name, list(table()), "<{}>")

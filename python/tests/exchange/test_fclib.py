@@ -72,7 +72,7 @@ def test_each_way_to_store_a_matrix_is_read(tmp_path: Path, storage: str) -> Non
 
 
 def test_what_is_no_problem_is_refused(small_run: nilas.Run, tmp_path: Path) -> None:
-    with pytest.raises(ValueError, match="no contact problem in FCLIB form"):
+    with pytest.raises(nilas.InputError, match="no contact problem in FCLIB form"):
         read_fclib(small_run.folder / "contacts.h5")
-    with pytest.raises(FileNotFoundError, match="cannot be read as HDF5"):
+    with pytest.raises(nilas.FileError, match="cannot be read as HDF5"):
         read_fclib(tmp_path / "none.hdf5")

@@ -113,5 +113,5 @@ def test_a_window_begins_at_time_zero(small_run: nilas.Run, tmp_path: Path) -> N
     assert array(document, data, sampler["input"])[:, 0] == pytest.approx([0, 0.1, 0.2], abs=1e-6)
     with pytest.raises(nilas.NoRun, match="no frame from .* The frames are from 0 s to 0.5 s"):
         small_run.to_gltf(tmp_path / "none.glb", between=(5, 6))
-    with pytest.raises(ValueError, match="must end in .glb"):
+    with pytest.raises(nilas.InputError, match="must end in .glb"):
         small_run.to_gltf(tmp_path / "small.gltf")

@@ -57,7 +57,7 @@ def test_units_and_records_of_several_outlines(tmp_path: Path) -> None:
 
 def test_holes_are_refused_or_filled(tmp_path: Path) -> None:
     source = write(tmp_path / "hole.shp", [SQUARE, HOLE])
-    with pytest.raises(ValueError, match="record 1 has a hole.*holes='fill'"):
+    with pytest.raises(nilas.InputError, match="record 1 has a hole.*holes='fill'"):
         field_from_shapefile(source, tmp_path / "hole.geojson")
     converted = field_from_shapefile(source, tmp_path / "hole.geojson", holes="fill")
     assert (converted.floes, converted.filled) == (1, 1)
@@ -65,16 +65,16 @@ def test_holes_are_refused_or_filled(tmp_path: Path) -> None:
 
 def test_what_cannot_be_floes_is_refused(tmp_path: Path) -> None:
     lines = write(tmp_path / "lines.shp", [SQUARE], pyshp.POLYLINE)
-    with pytest.raises(ValueError, match="holds POLYLINE and not polygons"):
+    with pytest.raises(nilas.InputError, match="holds POLYLINE and not polygons"):
         field_from_shapefile(lines, tmp_path / "x.geojson")
     source = write(tmp_path / "one.shp", [SQUARE])
-    with pytest.raises(KeyError, match="no column thick. It has name"):
+    with pytest.raises(nilas.UnknownName, match="no column 'thick'; allowed: name"):
         field_from_shapefile(source, tmp_path / "x.geojson", thickness="thick")
-    with pytest.raises(ValueError, match="name of record 1 is 'a' and not a number"):
+    with pytest.raises(nilas.InputError, match="name of record 1 is 'a' and not a number"):
         field_from_shapefile(source, tmp_path / "x.geojson", thickness="name")
-    with pytest.raises(FileNotFoundError, match="cannot be read as a shapefile"):
+    with pytest.raises(nilas.FileError, match="cannot be read as a shapefile"):
         field_from_shapefile(tmp_path / "none.shp", tmp_path / "x.geojson")
     source.with_suffix(".prj").write_text('GEOGCS["WGS 84",DATUM["WGS_1984"]]')
-    with pytest.raises(ValueError, match="degrees of longitude and latitude"):
+    with pytest.raises(nilas.InputError, match="degrees of longitude and latitude"):
         field_from_shapefile(source, tmp_path / "x.geojson")
     assert not (tmp_path / "x.geojson").exists()

@@ -121,9 +121,9 @@ def test_broken_floes_are_nan(own_folder: Path) -> None:
 
 
 def test_an_unknown_body_is_named(small_run: nilas.Run) -> None:
-    with pytest.raises(KeyError, match="no body 'boat'. There are .*ship"):
+    with pytest.raises(nilas.UnknownName, match="no body 'boat'; allowed: .*ship"):
         small_run.bodies.one("boat")
-    with pytest.raises(KeyError, match="no body 99999. There are ids from"):
+    with pytest.raises(nilas.UnknownName, match="no body of the id 99999; allowed: ids from"):
         small_run.bodies.place(99999)
 
 

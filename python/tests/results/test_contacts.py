@@ -58,14 +58,14 @@ def test_vectors_are_arrays_of_three_columns(small_run: nilas.Run) -> None:
     normal = small_run.contacts.array("normal")
     assert normal.shape == (small_run.contacts.rows, 3)
     assert np.allclose(np.linalg.norm(normal, axis=1), 1)
-    with pytest.raises(KeyError, match="no vector 'velocity'. The vectors are point, hull_point"):
+    with pytest.raises(nilas.UnknownName, match="no vector 'velocity'; allowed: point, hull_point"):
         small_run.contacts.array("velocity")
 
 
 def test_a_wrong_step_or_column_is_named(small_run: nilas.Run) -> None:
     with pytest.raises(IndexError, match="no step 0, but 1 to 50"):
         small_run.contacts.step(0)
-    with pytest.raises(KeyError, match="no column fx"):
+    with pytest.raises(nilas.UnknownName, match="no column 'fx'"):
         small_run.contacts.step(1, columns=["fx"])
 
 

@@ -132,7 +132,7 @@ def test_frames_beyond_the_run_are_the_nearest(small_run: nilas.Run) -> None:
     forces = trajectory.surface("contact forces", 99)
     assert forces.values["force_N"].shape == (len(forces), 3)
     assert trajectory.surface("vessel", 0).bodies
-    with pytest.raises(KeyError, match="no block 'ice'. They have ice floes"):
+    with pytest.raises(nilas.UnknownName, match="no block 'ice'; allowed: ice floes"):
         trajectory.surface("ice", 0)
 
 

@@ -222,6 +222,22 @@ def test_a_snapshot_keeps_loads_that_wait():
     assert simulation.step().state_hash == first
 
 
+def test_of_many_bodies_the_nearest_are_told():
+    scene = balls()
+    for number in range(1, 101):
+        scene.append(
+            Element("body", name=f"stone-{number}", shape="sphere", radius=0.1, mass=1, position=[number, 2, 1])
+        )
+    simulation = nilas.Simulation(scene, applied_loads=True)
+    with pytest.raises(nilas.UnknownName) as caught:
+        simulation.apply("stone-101", [1, 0, 0])
+    assert isinstance(caught.value, nilas.InputError)
+    assert str(caught.value) == (
+        "There is no body 'stone-101'; did you mean stone-11, stone-10 or stone-100? "
+        "There are 103 bodies, from ground to stone-100."
+    )
+
+
 def test_faults_say_what_is_allowed(tmp_path):
     simulation = nilas.Simulation(balls())
     with pytest.raises(nilas.InputError, match="applied_loads"):
