@@ -5,8 +5,8 @@
 namespace nilas::python {
 
 Session::Session(const Scene& scene, const SimulationSettings& settings,
-                 const std::optional<std::filesystem::path>& folder, bool force)
-    : simulation_(scene, settings) {
+                 const std::optional<std::filesystem::path>& folder, bool force, bool keep_rows)
+    : simulation_(scene, settings), keep_rows_(keep_rows) {
   if (folder) writer_.emplace(simulation_, *folder, force);
 }
 
@@ -21,8 +21,10 @@ Step Session::step() {
     }
     // The HDF5 library is not made for several threads, and other packages of Python use it under the lock.
     if (writer_) writer_->record();
-    rows_.insert(rows_.end(), step.numbers.begin(), step.numbers.end());
-    vessel_rows_.insert(vessel_rows_.end(), step.vessel_numbers.begin(), step.vessel_numbers.end());
+    if (keep_rows_) {
+      rows_.insert(rows_.end(), step.numbers.begin(), step.numbers.end());
+      vessel_rows_.insert(vessel_rows_.end(), step.vessel_numbers.begin(), step.vessel_numbers.end());
+    }
     last_ = step;
     return step;
   } catch (const Error& e) {

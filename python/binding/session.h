@@ -14,12 +14,13 @@ namespace nilas::python {
 
 class Session {
  public:
-  /// folder: where a run folder is written, if anywhere. Throws Error.
+  /// folder: where a run folder is written, if anywhere. keep_rows: whether the numbers of all steps are kept. Throws
+  /// Error.
   Session(const Scene& scene, const SimulationSettings& settings, const std::optional<std::filesystem::path>& folder,
-          bool force);
+          bool force, bool keep_rows);
 
-  /// Takes a step without Python's lock, writes it with that lock, and keeps its numbers. Throws Error; then the run
-  /// folder is finished as failed. Throws Error too where it is finished already.
+  /// Takes a step without Python's lock, writes it with that lock, and keeps its numbers if all are kept. Throws Error;
+  /// then the run folder is finished as failed. Throws Error too where it is finished already.
   Step step();
   /// Finishes the run folder, once. Throws Error.
   void finish(const std::string& status, const std::string& message);
@@ -28,7 +29,7 @@ class Session {
 
   Simulation& simulation() { return simulation_; }
   const Simulation& simulation() const { return simulation_; }
-  /// The numbers of all steps, one row after the other.
+  /// The numbers of all steps, one row after the other; empty where they are not kept.
   const std::vector<double>& rows() const { return rows_; }
   const std::vector<double>& vessel_rows() const { return vessel_rows_; }
   const std::optional<Step>& last() const { return last_; }
@@ -37,6 +38,7 @@ class Session {
   Simulation simulation_;
   std::optional<RunWriter> writer_;
   bool is_finished_ = false;  ///< there was a run folder, and it is finished
+  bool keep_rows_;
   std::vector<double> rows_, vessel_rows_;
   std::optional<Step> last_;
 };

@@ -78,11 +78,12 @@ void bind_simulation(py::module_& module) {
   py::class_<Snapshot>(module, "Snapshot", "A state to which a simulation can return.");
   py::class_<Session>(module, "Simulation")
       .def(py::init([](const Scene& scene, int threads, bool applied_loads,
-                       const std::optional<std::filesystem::path>& folder, bool force) {
-             return std::make_unique<Session>(scene, SimulationSettings{threads, applied_loads}, folder, force);
+                       const std::optional<std::filesystem::path>& folder, bool force, bool keep_rows) {
+             return std::make_unique<Session>(scene, SimulationSettings{threads, applied_loads}, folder, force,
+                                              keep_rows);
            }),
            py::arg("scene"), py::kw_only(), py::arg("threads") = 1, py::arg("applied_loads") = false,
-           py::arg("folder") = py::none(), py::arg("force") = false)
+           py::arg("folder") = py::none(), py::arg("force") = false, py::arg("keep_rows") = true)
       .def("step", &Session::step)
       .def("finish", &Session::finish, py::arg("status"), py::arg("message") = "")
       .def_property_readonly("last", &Session::last)

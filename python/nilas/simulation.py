@@ -25,7 +25,8 @@ class Simulation:
     `scene` is a `nilas.Scene` or the path of a scene file, and `settings` are those of `--set`. With `folder` every
     step is also written to a run folder, like that of `nilas run`; `force` replaces an earlier run there. The folder is
     finished at the scene's end, by `close`, or at the end of a `with`. With `applied_loads` the method `apply` may load
-    bodies. Other threads of Python run while a step is taken. One thread at a time may use a simulation, and a process
+    bodies. Without `keep_table` no table of the steps is kept, so that memory stays the same over any number of steps;
+    `last` then has the numbers of one step. Other threads of Python run while a step is taken. One thread at a time may use a simulation, and a process
     that was forked must build its own.
 
     >>> simulation = Simulation(small_scene)
@@ -46,11 +47,18 @@ class Simulation:
         applied_loads: bool = False,
         folder: str | os.PathLike[str] | None = None,
         force: bool = False,
+        keep_table: bool = True,
     ) -> None:
         self.scene = checked(scene, settings, scale)
         self.folder = pathlib.Path(folder) if folder is not None else None
+        self.keep_table = keep_table
         self._core = _core.Simulation(
-            self.scene, threads=threads, applied_loads=applied_loads, folder=self.folder, force=force
+            self.scene,
+            threads=threads,
+            applied_loads=applied_loads,
+            folder=self.folder,
+            force=force,
+            keep_rows=keep_table,
         )
 
     # Time
@@ -174,13 +182,21 @@ class Simulation:
         >>> simulation.run(until=0.05).table()["kinetic_J"].size
         5
         """
+        self._demand_table()
         return _table(self._core.step_columns, self._core.rows, None)
 
     def vessel_table(self) -> "pandas.DataFrame":
         """Loads on the vessel and its motion in the steps taken here, as `vessel.csv` has them, indexed by time in s."""
         if self.vessel is None:
             raise InputError("The scene has no vessel.")
+        self._demand_table()
         return _table(self._core.vessel_columns, self._core.vessel_rows, self._core.rows[:, 0])
+
+    def _demand_table(self) -> None:
+        if not self.keep_table:
+            raise InputError(
+                "This simulation keeps no table, as keep_table=False asks; allowed: `last`, and the tables of a run folder."
+            )
 
     # Control
 

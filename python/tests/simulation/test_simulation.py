@@ -1,11 +1,13 @@
 """Simulations in this process."""
 
 import ctypes
+import gc
 import os
 import pathlib
 import signal
 import threading
 import time
+import tracemalloc
 
 import nilas
 import numpy as np
@@ -285,6 +287,34 @@ def bytes_in_use():
     return found.uordblks + found.hblkhd
 
 
+def test_without_a_table_memory_stays_the_same():
+    simulation = nilas.Simulation(balls(), settings={"time/@end": 1000}, keep_table=False)
+    simulation.run(until=5)
+    gc.collect()
+    tracemalloc.start()
+    before, traced = bytes_in_use(), tracemalloc.get_traced_memory()[0]
+    simulation.run(until=15)  # 1000 steps, whose table has more than 200 kB
+    gc.collect()
+    grown, grown_of_python = bytes_in_use() - before, tracemalloc.get_traced_memory()[0] - traced
+    tracemalloc.stop()
+    assert simulation.steps == 1500
+    assert grown < 40_000 and grown_of_python < 10_000
+    assert len(simulation.last.numbers) == len(simulation._core.step_columns) > 25
+    for table in (simulation.table, nilas.Simulation(balls(), keep_table=False).table):
+        with pytest.raises(nilas.InputError, match="keeps no table, as keep_table=False asks"):
+            table()
+
+
+def test_a_simulation_without_a_table_has_the_same_bits_and_goes_back(small_scene):
+    simulation = nilas.Simulation(small_scene, keep_table=False)
+    start = simulation.snapshot()
+    first = hashes(simulation, 5)
+    simulation.restore(start)
+    assert hashes(simulation, 5) == first == hashes(nilas.Simulation(small_scene), 5)
+    with pytest.raises(nilas.InputError, match="keeps no table"):
+        simulation.vessel_table()
+
+
 def test_memory_stays_over_many_steps():
     simulation = nilas._core.Simulation(balls().check({"time/@end": 1000}), applied_loads=True)
     steps, before = 4000, 0
@@ -296,4 +326,5 @@ def test_memory_stays_over_many_steps():
             before = bytes_in_use()
     grown = bytes_in_use() - before
     table = simulation.rows.nbytes  # kept in a list that doubles when it is full
+    assert table > 0
     assert grown < table + 100_000, f"{(grown - table) / (steps // 2):.0f} bytes a step beside the table"
