@@ -9,8 +9,10 @@ from typing import Any, overload
 
 import pandas as pd
 
+from nilas.names import unknown
 from nilas.results.folder import NoRun, is_run
 from nilas.results.run import Run
+from nilas.results.statistics import figures_of, has_figure
 
 # Figures of the summary that the table of runs has unless others are asked for.
 _FIGURES = [
@@ -26,6 +28,7 @@ _FIGURES = [
     "wall_s",
 ]
 _SEED = "seed/@value"
+_WITHOUT_SUMMARY = ("running", "killed")
 
 
 def runs(
@@ -83,18 +86,34 @@ class Runs(Sequence[Run]):
         >>> runs([example_folder]).frame["ice_load.along.mean_N"].notna().all()
         True
         """
-        return self.figures(_FIGURES)
+        return self._table_of(_FIGURES)
 
     def figures(self, names: Sequence[str]) -> pd.DataFrame:
         """The same with figures of summary.json of your choice, as in ``ice_load.along.mean_N``.
 
+        Raises ``UnknownName`` for a figure that no run has, once a run has ended.
+
         >>> list(runs([example_folder]).figures(["steps"]).columns)
         ['status', 'seed/@value', 'steps']
+        >>> runs([example_folder]).figures(["ice_load.along.maen_N"])  # doctest: +ELLIPSIS
+        Traceback (most recent call last):
+        nilas.errors.UnknownName: No run has a figure 'ice_load.along.maen_N'; did you mean ice_load.along.mean_N, ...
         """
+        if isinstance(names, str):
+            raise TypeError(f"names is a list of names. Write figures(['{names}']).")
+        summaries = [run.summary for run in self if run.status not in _WITHOUT_SUMMARY]
+        for name in names if summaries else []:
+            if not any(has_figure(summary, name) for summary in summaries):
+                known = dict.fromkeys(one for summary in summaries for one in figures_of(summary))
+                raise unknown(f"No run has a figure '{name}'", name, known, what="figures")
+        return self._table_of(names)
+
+    def _table_of(self, names: Sequence[str]) -> pd.DataFrame:
+        """Status, settings and figures, a row per run; nan where a run has no such figure."""
         rows = []
         for run, settings in zip(self, self.settings.to_dict("records")):
             row: dict[Any, Any] = {"status": run.status, **settings}
-            figures = run.figures if run.status not in ("running", "killed") else {}
+            figures = run.figures if run.status not in _WITHOUT_SUMMARY else {}
             row.update({name: figures.get(name) for name in names})
             rows.append(row)
         frame = pd.DataFrame(rows, index=pd.Index(self.names, name="run"))

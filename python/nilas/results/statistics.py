@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from typing import Any
 
 import pandas as pd
@@ -55,22 +55,45 @@ def structure_table(summary: Mapping[str, Any]) -> pd.DataFrame:
 def figures_of(summary: Mapping[str, Any]) -> dict[str, float | str | bool]:
     """All single values of a summary under one name each, as in ``ice_load.along.mean_N``.
 
-    Lists are left out.
+    Parts of lists have their name, else their number from 1, as in ``structures.pier.touched_by_ice``.
 
     >>> figures_of({"steps": 3, "ice_load": {"along": {"mean_N": 2.5, "halves": None}}})
     {'steps': 3, 'ice_load.along.mean_N': 2.5}
+    >>> figures_of({"vessel": {"cog_m": [0.1, 0.2]}, "structures": [{"name": "pier", "window": 3}]})
+    {'vessel.cog_m.1': 0.1, 'vessel.cog_m.2': 0.2, 'structures.pier.name': 'pier', 'structures.pier.window': 3}
     """
-    figures: dict[str, float | str | bool] = {}
-    _gather(summary, "", figures)
-    return figures
+    return {name: value for name, value in _leaves(summary, "") if value is not None}
 
 
-def _gather(value: Any, path: str, figures: dict[str, float | str | bool]) -> None:
+def has_figure(summary: Mapping[str, Any], name: str) -> bool:
+    """Whether a summary has a figure of this name, though it may not be known.
+
+    >>> summary = {"ice_load": {"along": {"mean_N": 2.5, "halves": None}}}
+    >>> has_figure(summary, "ice_load.along.halves.differ"), has_figure(summary, "ice_load.mean_N")
+    (True, False)
+    """
+    return any(
+        name == one or value is None and name.startswith(one + ".")
+        for one, value in _leaves(summary, "")
+    )
+
+
+def _leaves(value: Any, path: str) -> Iterator[tuple[str, Any]]:
+    """The single values in an object or list, with their paths."""
     if isinstance(value, Mapping):
-        for name, inner in value.items():
-            _gather(inner, f"{path}.{name}" if path else str(name), figures)
-    elif isinstance(value, (int, float, str)):
-        figures[path] = value
+        parts = [(str(name), inner) for name, inner in value.items()]
+    elif isinstance(value, list):
+        parts = [(_name_in_list(one, place), one) for place, one in enumerate(value, 1)]
+    else:
+        yield path, value
+        return
+    for name, inner in parts:
+        yield from _leaves(inner, f"{path}.{name}" if path else name)
+
+
+def _name_in_list(value: Any, place: int) -> str:
+    name = value.get("name") if isinstance(value, Mapping) else None
+    return str(name) if name else str(place)
 
 
 def _numbers(frame: pd.DataFrame, index_name: str) -> pd.DataFrame:

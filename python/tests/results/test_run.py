@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 
 import nilas
+from nilas.study.carry_out.record import flat_numbers
 
 
 def change_summary(folder: Path, **values: object) -> None:
@@ -118,6 +119,32 @@ def test_scenes_are_compared_by_what_differs(
     assert len(table) == 70
     assert table.attrs["units"]["x_m"] == "m"
     assert together.loads.index.get_level_values("run").nunique() == 2
+
+
+def test_a_figure_that_no_run_has_is_refused(own_folder: Path, small_folder: Path) -> None:
+    """One that a single run has is nan in the others, and so is one that is known to be unknown."""
+    change_summary(own_folder, only_here=3.0, not_known={"estimate_N": None}, halves=None)
+    together = nilas.runs([small_folder, own_folder])
+    some = together.figures(["only_here", "not_known.estimate_N", "halves.differ"])
+    assert list(some["only_here"].isna()) == [True, False]
+    assert some[["not_known.estimate_N", "halves.differ"]].isna().all(axis=None)
+    with pytest.raises(nilas.UnknownName, match="No run has a figure 'only_her'; did you mean only_here") as caught:
+        together.figures(["only_her"])
+    assert "figures, from scene to " in str(caught.value)
+    with pytest.raises(TypeError, match=r"figures\(\['steps'\]\)"):
+        together.figures("steps")
+    (own_folder / "summary.json").unlink()
+    with pytest.warns(nilas.UnfinishedRun):
+        killed = nilas.runs([own_folder])
+    assert killed.figures(["only_her"])["only_her"].isna().all()
+
+
+def test_figures_have_the_names_of_the_channels_of_studies(breaking_folder: Path) -> None:
+    """A number of summary.json has one name, in a list too."""
+    figures = nilas.Run(breaking_folder).figures
+    numbers = flat_numbers(nilas.Run(breaking_folder).summary)
+    assert "structures.pier.loads.contact_fx_N.mean_N" in numbers
+    assert {name: figures[name] for name in numbers} == numbers
 
 
 def test_runs_below_a_folder_are_found(own_folder: Path) -> None:
