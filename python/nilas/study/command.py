@@ -66,7 +66,10 @@ def _carry_out(options: argparse.Namespace) -> int:
         print(status_text(plan, Records(plan)))
         return _DONE
     if options.snakemake:
-        print(write_snakefile(plan, find_program(options.program)))
+        program = find_program(options.program)
+        if not options.no_check:
+            check_scene(plan, Launcher(plan, program))
+        print(write_snakefile(plan, program))
         return _DONE
     if options.judge:
         return finish_study(plan, Records(plan), quiet=True, write=False)
@@ -84,14 +87,19 @@ def _whole_study(plan: Plan, options: argparse.Namespace) -> int:
     records = Records(plan)
     launcher = Launcher(plan, find_program(options.program))
     queue = _queue(plan, records, launcher, plan.points, options)
-    if queue.done + queue.failed == 0 and not options.no_check:
-        check_scene(plan, launcher)
+    if not options.no_check:
+        is_new = queue.done + queue.failed == 0
+        doubtful = check_scene(plan, launcher) if is_new else plan.study.responses
+        launcher.watched = [one for one in doubtful if one.name not in queue.has_value]
     progress = Progress(queue.done + queue.failed, options.quiet)
     if queue.done + queue.failed:
         progress.say(
             f"{queue.done + queue.failed} runs are finished already; {len(queue)} are to be made."
         )
     outcome = Scheduler(queue, records, launcher, options.jobs, progress).carry_out()
+    if launcher.faults:
+        kept = "The first run ended without them, and no other begins. What is done stays done."
+        raise StudyError("\n".join([*launcher.faults, kept]))
     if plan.study.job.points:
         for points in plan.jobs():
             if not Queue(plan, records, points, launcher.key):
@@ -229,7 +237,7 @@ def _parser() -> argparse.ArgumentParser:
     add(
         "--dry-run",
         action="store_true",
-        help="Prints the plan and what it costs, and runs nothing.",
+        help="Checks scene and responses, and prints the plan and what it costs.",
     )
     add("--status", action="store_true", help="Prints how far the study is.")
     add("--collect", nargs="?", const="yes", choices=["yes", "without-judgement"], metavar="",
@@ -237,7 +245,7 @@ def _parser() -> argparse.ArgumentParser:
     add("--snakemake", action="store_true", help="Writes a Snakefile that carries out the study.")
     add("--retry-failed", action="store_true", help="Makes runs that failed again.")
     add("--force", action="store_true", help="Makes runs of a changed scene again.")
-    add("--no-check", action="store_true", help="Does not check the scene before the first run.")
+    add("--no-check", action="store_true", help="Does not check scene and responses first.")
     add("--no-page", action="store_true", help="Writes the tables only, which is quicker.")
     add("--quiet", action="store_true", help="Prints only errors.")
     add("--run", help=argparse.SUPPRESS)

@@ -5,6 +5,8 @@ It keeps to what the study relies on: options, exit codes, the files of a run fo
 checkpoint after a signal. The load is 10 x + 3 y^2 plus noise that follows from the seed. The
 tests in test_program.py hold the study against the real program.
 
+Only a whole run has the object load_error.
+
 Attributes: test/@x, test/@y; test/@steps of 20 ms each; test/@fail = code at half of the steps,
 test/@die = true ends it by SIGKILL; x = 99 is refused by check and run.
 """
@@ -63,15 +65,22 @@ def run(folder, options):
         state["sessions"] += 1
     else:
         settings = dict(pair.split("=", 1) for pair in options.get("--set", []))
-        state = {"settings": settings, "seed": int(options["--seed"][0]), "step": 0, "sessions": 1}
+        seed = int(options.get("--seed", ["1"])[0])
+        state = {"settings": settings, "seed": seed, "step": 0, "sessions": 1}
+        if "--until" in options:  # the study asks for one step alone
+            settings["test/@steps"] = "1"
     if refused(state["settings"]):
         return 2
     return work(folder, checkpoint, state, "--checkpoint-every" in options)
 
 
+def steps_of(settings):
+    return int(settings.get("test/@steps", "1"))
+
+
 def work(folder, checkpoint, state, stores):
     settings = state["settings"]
-    steps = int(settings.get("test/@steps", "1"))
+    steps = steps_of(settings)
     while state["step"] < steps:
         time.sleep(0.02)
         state["step"] += 1
@@ -94,10 +103,12 @@ def finish(folder, state):
     x, y = float(settings.get("test/@x", "1")), float(settings.get("test/@y", "1"))
     load = 10 * x + 3 * y**2 + random.Random(f"{x} {y} {state['seed']}").gauss(0, 1)
     summary = {
-        "status": "done", "exit_code": 0, "wall_s": 0.02 * state["step"], "processor_s": 0.01,
+        "status": "done", "vessel": {"mass_kg": 9.0}, "exit_code": 0, "wall_s": 0.02 * state["step"], "processor_s": 0.01,
         "ice_load": {"along": {"mean_N": load, "std_N": None}}, "sessions": state["sessions"],
         "versions": {"nilas": "9.9.9"},
     }  # fmt: skip
+    if steps_of(settings) > 1:
+        summary["load_error"] = {"mean_N": load, "chaos_N": None}
     files = {
         "scene.xml": json.dumps(settings),
         "summary.json": json.dumps(summary),

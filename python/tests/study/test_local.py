@@ -58,6 +58,30 @@ def test_numbers_of_the_table_read_back_to_the_same_bits(desk):
         assert float(cells[-1]) == stored[cells[0]]
 
 
+LATE = STUDY.replace("name: load}", "name: load}\n  - {channel: load_error.maen_N, name: late}")
+
+
+def test_a_name_that_comes_late_is_refused_after_the_first_run(desk):
+    """A run of one step has no load_error, so the first whole run shows what is in it."""
+    desk.write(LATE + "set: {test/@steps: 2}\n")
+    code, text = desk.run()
+    assert code == 2
+    assert "study.yaml:9: responses.late: summary.json has no number load_error.maen_N" in text
+    assert "Did you mean 'load_error.mean_N'? load_error has mean_N and chaos_N." in text
+    assert len(records(desk)) == 1 and not (desk.folder / "runs/trial/study.csv").exists()
+    desk.write(LATE.replace("maen_N", "chaos_N") + "set: {test/@steps: 2}\n")
+    code, text = desk.run()  # this one is in the summary, though no run knows it
+    assert len(records(desk)) == 12
+    assert code == 2 and "12 runs that are done have no value of load_error.chaos_N" in text
+
+
+def test_without_the_check_a_wrong_name_is_told_at_the_end(desk):
+    desk.write(LATE)
+    code, text = desk.run("--no-check")
+    assert code == 2 and "12 runs that are done have no value of load_error.maen_N" in text
+    assert len(records(desk)) == 12
+
+
 def test_finished_runs_are_not_repeated(desk):
     desk.write()
     desk.run()
@@ -291,8 +315,10 @@ def test_a_column_of_a_table_can_be_a_response(desk):
 def test_a_response_that_no_run_has_is_told_with_names_that_exist(desk):
     desk.write(STUDY.replace("along.mean_N", "along.mean"))
     code, text = desk.run()
-    assert code == 2
-    assert "study.yaml:8: responses.load" in text and "ice_load.along.mean_N" in text
+    assert code == 2 and not records(desk)
+    assert "study.yaml:8: responses.load" in text and "Did you mean 'ice_load.along.mean_N'?" in text
+    code, text = desk.run("--no-check")
+    assert code == 2 and "12 runs that are done have no value of ice_load.along.mean" in text
     # The runs are done: with the right name no run is repeated.
     desk.write()
     code, text = desk.run()

@@ -5,10 +5,14 @@ import signal
 import time
 from pathlib import Path
 
+import nilas
 import pytest
-
 from nilas.program import NotFound, program
+from nilas.study.carry_out.outputs import outputs_of
+from nilas.study.carry_out.record import flat_numbers
+from nilas.study.describe.study import Response
 
+BREAKING = Path(__file__).resolve().parents[1] / "scenes/breaking.xml"
 SCENE = Path(__file__).resolve().parents[3] / "tests/slurm/pier.xml"
 STUDY = """\
 name: trial
@@ -97,4 +101,54 @@ def test_a_response_that_summary_json_does_not_have_is_told_with_its_nearest_nam
     pier.write(STUDY.replace("ice_resistance_N.mean_N", "ice_resistence_N.mean_N"))
     code, text = pier.run("-j", "2", program=pier.program)
     assert code == 2
+    assert "study.yaml:10: responses.load: summary.json has no number" in text
     assert "Did you mean 'structures.pier.loads.ice_resistance_N" in text
+    assert not records(pier), "a run was made"
+
+
+@pytest.mark.parametrize(
+    ("wrong", "words"),
+    [
+        ("{channel: ice_load.along.mean_N, name: peak}", ["no number ice_load.along.mean_N", "It has time_end_s"]),
+        ("{channel: structures.pier.loads.contact_fx_N, name: peak}", ["structures.pier.loads.contact_fx_N has mean_N"]),
+        ("{channel: wall_s, name: peak}", ["wall_s differs between runs of one scene"]),
+        ("{table: steps.csv, column: kinetik_J, name: peak}", ["Did you mean 'kinetic_J'", "It has time_s"]),
+        ("{column: x_m, name: peak}", ["The runs write no vessel.csv", "structures.csv"]),
+    ],
+)
+def test_a_response_that_no_run_has_is_refused_before_the_first_run(pier, wrong, words):
+    right = STUDY.splitlines()[-1]
+    pier.write(STUDY.replace(right, f"  - {wrong}"))
+    for option in ((), ("--dry-run",), ("--snakemake",)):
+        code, text = pier.run(*option, program=pier.program)
+        assert code == 2 and "study.yaml:11: responses.peak: " in text
+        for word in words:
+            assert word in text
+    assert not (pier.folder / "runs/trial/study.csv").exists() and not records(pier)
+
+
+def test_a_response_that_only_some_points_have_is_no_fault(pier):
+    factors = """\
+  post:
+    values: {no: {ice/@density: 900}, yes: {"body[+]/@name": post, "body[@name='post']/@shape": box,
+             "body[@name='post']/@size": 1 1 1, "body[@name='post']/@position": 40 9 0, "body[@name='post']/@fixed": true}}
+"""
+    begin, end = STUDY.index("  ice/field"), STUDY.index("seeds:")
+    study = STUDY[:begin] + factors + STUDY[end:].replace("structures.pier.", "structures.post.")
+    pier.write(study.replace("seeds: 2", "seeds: 1"))
+    code, text = pier.run(program=pier.program)
+    assert "1 runs that are done have no value of structures.post.loads" in text
+    assert code == 0 and len(records(pier)) == 2
+
+
+def test_what_a_run_of_one_step_has_are_the_names_of_a_whole_run(tmp_path, breaking_folder):
+    """What counts as unknown before the first run must be unknown in every run."""
+    nilas.run(BREAKING, out=tmp_path / "short", until=1e-7, threads=1)
+    short, whole = outputs_of(tmp_path / "short", is_whole=False), outputs_of(breaking_folder)
+    names = flat_numbers(whole.summary)
+    assert len(names) > 300
+    assert not [name for name in names if short.has(Response("r", "", channel=name)) is False]
+    assert short.columns == whole.columns
+    for name in names:
+        assert whole.has(Response("r", "", channel=name)) is True
+    assert short.has(Response("r", "", channel="ice_load.along.maen_N")) is False

@@ -17,6 +17,7 @@ from pathlib import Path
 from typing import IO
 
 from nilas.study.carry_out.columns import ColumnMissing, column_value
+from nilas.study.carry_out.outputs import faults_of, outputs_of
 from nilas.study.carry_out.provenance import (
     file_hash,
     input_hash,
@@ -27,6 +28,7 @@ from nilas.study.carry_out.provenance import (
 from nilas.study.carry_out.record import BEGUN, Record, flat_numbers, write_whole
 from nilas.study.carry_out.records import column_key
 from nilas.study.describe.plan import Plan, Run
+from nilas.study.describe.study import Response
 
 INTERRUPTED = 130
 _NUMERICS_FAILED = 3
@@ -56,6 +58,9 @@ class Launcher:
     def __init__(self, plan: Plan, program: Path) -> None:
         self.plan = plan
         self.program = program
+        # Responses that no finished run had so far, and what is wrong with them, once one ended without them.
+        self.watched: list[Response] = []
+        self.faults: list[str] = []
         self._scene = scene_hash(plan.study.scene)
         self._afresh: set[str] = set()
 
@@ -146,6 +151,7 @@ class Launcher:
             overrides=self.overrides(child.run),
         )
         self._add_columns(record, folder)
+        self._watch(record, folder)
         record.times = self._times(child, folder, summary, processor_s)
         record.provenance = self._provenance(child, folder, summary)
         self._keep(record, folder)
@@ -195,6 +201,15 @@ class Launcher:
                     record.columns[column_key(response)] = column_value(folder, response)
                 except ColumnMissing as error:
                     record.message = f"{record.message} {error}".strip()
+
+    def _watch(self, record: Record, folder: Path) -> None:
+        """The first run that is done tells whether the responses exist that are watched."""
+        if not self.watched or record.status != "done":
+            return
+        watched, self.watched = self.watched, []
+        outputs = outputs_of(folder)
+        if outputs is not None:
+            self.faults = faults_of(self.plan.study, outputs, watched)
 
     def _times(self, child: Child, folder: Path, summary: dict, processor_s: float) -> dict:
         files = [path for path in folder.rglob("*") if path.is_file()]

@@ -38,6 +38,7 @@ class Queue:
         self._places: dict[str, int] = {}
         self.failed = 0
         self.done = 0
+        self.has_value: set[str] = set()  # responses of which a finished run has one
         for point in points:
             self._add_point(point, records)
 
@@ -94,9 +95,15 @@ class Queue:
                 self._results[point.number][place] = value
                 self._wall_s.setdefault(point.number, float(record.times.get("wall_s", 0.0)))
                 self._count(record.status != "done")
+                self._note_values(record)
                 if record.status != "done":
                     self.failed_runs.append((run, record))
             self._asked[point.number] = wanted
+
+    def _note_values(self, record: Record) -> None:
+        for response in self.plan.study.responses:
+            if response.name not in self.has_value and response_value(record, response) is not None:
+                self.has_value.add(response.name)
 
     def _wanted(self, point: Point) -> int:
         results = self._results[point.number]

@@ -12,7 +12,7 @@ from typing import Any
 RECORD = "record.json"  # written last: a run with this file is finished
 BEGUN = "begun.json"  # written first, and removed at the end
 # Keys of summary.json that differ from run to run of the same scene.
-_VOLATILE = {
+VOLATILE = {
     "wall_s", "processor_s", "real_time_factor", "resuming_s", "exit_code", "threads", "versions",
     "seed", "ms_per_step", "memory",
 }  # fmt: skip
@@ -69,16 +69,23 @@ def flat_numbers(value: Any, path: str = "") -> dict[str, float]:
         return {path: float(value)}
     if isinstance(value, int | float):
         return {path: float(value)} if math.isfinite(value) else {}
-    if isinstance(value, dict):
-        children = [(key, one) for key, one in value.items() if key not in _VOLATILE]
-    elif isinstance(value, list):
-        children = [(_name_in_list(one, place), one) for place, one in enumerate(value, 1)]
-    else:
-        return {}
     flat: dict[str, float] = {}
-    for key, one in children:
+    for key, one in parts_of(value):
         flat.update(flat_numbers(one, f"{path}.{key}" if path else key))
     return flat
+
+
+def parts_of(value: Any) -> list[tuple[str, Any]]:
+    """The parts of a JSON object or list with their names, without those that differ by chance.
+
+    >>> parts_of({"wall_s": 3, "list": [5]}), parts_of([{"name": "pier"}, 7]), parts_of(None)
+    ([('list', [5])], [('pier', {'name': 'pier'}), ('2', 7)], [])
+    """
+    if isinstance(value, dict):
+        return [(key, one) for key, one in value.items() if key not in VOLATILE]
+    if isinstance(value, list):
+        return [(_name_in_list(one, place), one) for place, one in enumerate(value, 1)]
+    return []
 
 
 def _name_in_list(value: Any, place: int) -> str:

@@ -122,6 +122,8 @@ class Scheduler:
         value = response_value(record, response) if response else None
         self.queue.finished(child.run, value, failed, float(record.times["wall_s"]))
         self.progress.ended(record, len(self.queue) + len(self._children))
+        if self.launcher.faults and not self.outcome.interrupted:
+            self._stop()
 
     def _stop(self) -> None:
         """The first request lets runs write their checkpoints. The second ends them at once."""
