@@ -5,7 +5,6 @@ from __future__ import annotations
 import argparse
 import fcntl
 import os
-import sys
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
@@ -24,6 +23,7 @@ from nilas.study.describe.read_study import read_study
 from nilas.study.results.closing import finish_study
 from nilas.study.results.overview import plan_text, status_text
 from nilas.study.snakemake.snakefile import write_snakefile
+from nilas.study.tell import settle, tell, warn
 from nilas.study.words import duration
 
 _DONE = 0
@@ -40,17 +40,20 @@ def main(arguments: Sequence[str] | None = None) -> int:
     0: all runs are done. 2: the study is wrong. 3: runs failed. 4: a file could not be read or
     written. 130: the study was interrupted.
     """
-    options = _parser().parse_args(arguments)
     try:
-        return _carry_out(options)
+        return _carry_out(_parser().parse_args(arguments))
     except StudyError as error:
-        print(error, file=sys.stderr)
+        warn(error)
         return error.code
+    except BrokenPipeError:  # of --help, which argparse writes
+        return _DONE
     except OSError as error:
-        print(f"error: {error.filename or ''}: {error.strerror}", file=sys.stderr)
+        warn(f"error: {error.filename or ''}: {error.strerror}")
         return 4
     except KeyboardInterrupt:
         return INTERRUPTED
+    finally:
+        settle()
 
 
 def _carry_out(options: argparse.Namespace) -> int:
@@ -60,16 +63,16 @@ def _carry_out(options: argparse.Namespace) -> int:
     if options.dry_run:
         if not options.no_check:
             check_scene(plan, Launcher(plan, find_program(options.program)))
-        print(plan_text(plan, Records(plan)))
+        tell(plan_text(plan, Records(plan)))
         return _DONE
     if options.status:
-        print(status_text(plan, Records(plan)))
+        tell(status_text(plan, Records(plan)))
         return _DONE
     if options.snakemake:
         program = find_program(options.program)
         if not options.no_check:
             check_scene(plan, Launcher(plan, program))
-        print(write_snakefile(plan, program))
+        tell(write_snakefile(plan, program))
         return _DONE
     if options.judge:
         return finish_study(plan, Records(plan), quiet=True, write=False)

@@ -34,14 +34,19 @@ class Desk:
         return file
 
     def start(
-        self, *words: str, program: Path = STAND_IN, file: str = "study.yaml"
+        self,
+        *words: str,
+        program: Path = STAND_IN,
+        file: str = "study.yaml",
+        stdout: int = subprocess.PIPE,
+        stderr: int = subprocess.PIPE,
     ) -> subprocess.Popen:
         return subprocess.Popen(
             [sys.executable, "-m", "nilas.study", file, "--program", str(program), *words],
             cwd=self.folder,
             env=os.environ | {"PYTHONPATH": str(PACKAGE)},
-            stdout=subprocess.PIPE,
-            stderr=subprocess.PIPE,
+            stdout=stdout,
+            stderr=stderr,
             text=True,
         )
 

@@ -1,6 +1,7 @@
 """Studies on this machine, with the stand-in for the program."""
 
 import json
+import os
 import signal
 import time
 
@@ -80,6 +81,32 @@ def test_without_the_check_a_wrong_name_is_told_at_the_end(desk):
     code, text = desk.run("--no-check")
     assert code == 2 and "12 runs that are done have no value of load_error.maen_N" in text
     assert len(records(desk)) == 12
+
+
+@pytest.mark.parametrize("words", [("--status",), ("--dry-run",), ("--help",)])
+def test_a_reader_that_leaves_is_no_error(desk, words):
+    desk.write()
+    reading, writing = os.pipe()
+    os.close(reading)
+    try:
+        process = desk.start(*words, stdout=writing)
+        errors = process.communicate(timeout=60)[1]
+    finally:
+        os.close(writing)
+    assert (process.returncode, errors) == (0, "")
+
+
+def test_a_study_goes_on_when_nobody_reads_it(desk):
+    desk.write()
+    reading, writing = os.pipe()
+    os.close(reading)
+    try:
+        process = desk.start("--no-page", stdout=writing, stderr=writing)
+        process.communicate(timeout=120)
+    finally:
+        os.close(writing)
+    assert process.returncode == 0
+    assert len(records(desk)) == 12 and len(desk.table().splitlines()) == 13
 
 
 def test_finished_runs_are_not_repeated(desk):

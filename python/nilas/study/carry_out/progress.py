@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import sys
 import time
 
 from nilas.study.carry_out.record import Record
+from nilas.study.tell import warn
 from nilas.study.words import duration
 
 # A longer study tells every hundredth part of itself when nobody watches.
@@ -24,7 +24,7 @@ class Progress:
 
     def say(self, text: str) -> None:
         if not self.quiet:
-            print(text, file=sys.stderr, flush=True)
+            warn(text)
 
     def ended(self, record: Record, left: int) -> None:
         """A run ended, and ``left`` are waiting or running."""

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import os
-import sys
 
 from nilas.study.carry_out.records import Records
 from nilas.study.describe.faults import listed, nearest
 from nilas.study.describe.plan import Plan
 from nilas.study.results.collected import Collected, collect
 from nilas.study.results.tables import why_no_parquet, write_tables
+from nilas.study.tell import tell, warn
 
 _FAILED = 3
 _WRONG_INPUT = 2
@@ -24,15 +24,15 @@ def finish_study(
     if write:
         written = _write(collected, page)
         if not quiet:
-            print("\n".join(os.path.relpath(path) for path in written))
+            tell("\n".join(os.path.relpath(path) for path in written))
             if not any(path.suffix == ".parquet" for path in written):
-                print(f"study.parquet was not written: {why_no_parquet()}.")
+                tell(f"study.parquet was not written: {why_no_parquet()}.")
     code = _tell_absent(collected, records)
     if collected.failed:
         _tell_failures(collected)
         code = _FAILED
     if collected.missing and not quiet:
-        print(f"{collected.missing} runs are still missing.", file=sys.stderr)
+        warn(f"{collected.missing} runs are still missing.")
     return code
 
 
@@ -49,13 +49,11 @@ def _write(collected: Collected, page: bool) -> list:
 
 def _tell_failures(collected: Collected) -> None:
     failed = collected.failed
-    print(f"{len(failed)} of {len(collected.rows)} runs failed:", file=sys.stderr)
+    warn(f"{len(failed)} of {len(collected.rows)} runs failed:")
     for row in failed[:_TOLD_FAILURES]:
-        print(f"  {row.run.name}: {row.message}", file=sys.stderr)
+        warn(f"  {row.run.name}: {row.message}")
     if len(failed) > _TOLD_FAILURES:
-        print(
-            f"  and {len(failed) - _TOLD_FAILURES} more; study.csv has them all.", file=sys.stderr
-        )
+        warn(f"  and {len(failed) - _TOLD_FAILURES} more; study.csv has them all.")
 
 
 def _tell_absent(collected: Collected, records: Records) -> int:
@@ -73,7 +71,7 @@ def _tell_absent(collected: Collected, records: Records) -> int:
             else:
                 text += f" {done[0].message}"
         place = f"{collected.plan.study.file}:{response.line}: responses.{response.name}"
-        print(f"{place}: {text}", file=sys.stderr)
+        warn(f"{place}: {text}")
     return code
 
 
