@@ -90,8 +90,15 @@ def plot_sobol(data: ResponseData, indices: SobolIndices) -> str:
     ):
         places = np.arange(len(order)) + shift
         axes.barh(places, values[order], height=0.34, color=colour, label=label)
-        bars = {"fmt": "none", "ecolor": INK, "capsize": 3, "elinewidth": 1.1}
-        axes.errorbar(values[order], places, xerr=intervals[order], **bars)
+        axes.errorbar(
+            values[order],
+            places,
+            xerr=intervals[order],
+            fmt="none",
+            ecolor=INK,
+            capsize=3,
+            elinewidth=1.1,
+        )
     axes.set_yticks(range(len(order)), [data.factors[number].name for number in order])
     axes.grid(False, axis="y")
     axes.set_xlabel("share of the variance")

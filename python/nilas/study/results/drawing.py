@@ -6,6 +6,7 @@ import html
 import io
 import re
 from collections.abc import Sequence
+from typing import Any
 
 import matplotlib
 
@@ -31,7 +32,7 @@ CHANCE = "#c3ccd3"
 MOST_MARKS = 3000
 _MOST_LINKS = 800
 
-_STYLE = {
+_STYLE: dict[str, Any] = {
     "font.family": "DejaVu Sans",
     "font.size": 10,
     "axes.spines.top": False,
@@ -56,7 +57,7 @@ _STYLE = {
 
 def figure(width: float, height: float, columns: int = 1, **more) -> tuple[Figure, list[Axes]]:
     """A figure [inches] with axes in a row."""
-    plt.rcParams.update(_STYLE)
+    plt.style.use(_STYLE)
     fig, axes = plt.subplots(
         1, columns, figsize=(width, height), squeeze=False, layout="constrained", **more
     )
@@ -65,7 +66,7 @@ def figure(width: float, height: float, columns: int = 1, **more) -> tuple[Figur
 
 def grid_of_axes(count: int, sharey: bool = True) -> tuple[Figure, list[Axes]]:
     """Axes side by side, at most three in a row; those that are too many are removed."""
-    plt.rcParams.update(_STYLE)
+    plt.style.use(_STYLE)
     columns = min(count, 3)
     lines = -(-count // columns)
     width = {1: 6.4, 2: 10.8, 3: 10.8}[columns]
