@@ -55,7 +55,7 @@ struct Step {
   double time = 0;  ///< at its end [s]
   int contacts = 0, floes = 0, iterations = 0;
   bool solved = true;   ///< whether the solver reached the scene's tolerance
-  std::string message;  ///< why not
+  std::string message;  ///< what the solver did, or why it failed
   double residual = 0;  ///< of the contact law [m/s]
   std::uint64_t state_hash = 0;
   std::vector<double> numbers;         ///< in the order of Simulation::step_columns()

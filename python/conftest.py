@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import shutil
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -18,6 +18,12 @@ SCENES = Path(__file__).parent / "tests" / "scenes"
 def small_scene() -> Path:
     """A scene of about ten floes and 50 steps."""
     return SCENES / "small.xml"
+
+
+@pytest.fixture(scope="session")
+def steered_scene() -> Path:
+    """A scene of a vessel with a thruster."""
+    return SCENES / "steered.xml"
 
 
 @pytest.fixture(scope="session")
@@ -60,6 +66,42 @@ def floe_shapefile(tmp_path: Path) -> Path:
     return tmp_path / "floes.shp"
 
 
+@pytest.fixture
+def study_file(small_scene: Path, tmp_path: Path) -> Path:
+    """A study of the small scene, which is only read."""
+    file = tmp_path / "trial.yaml"
+    file.write_text(
+        f"scene: {small_scene}\n"
+        "factors:\n"
+        "  vessel/carriage/@speed: [0.2, 0.3]\n"
+        "  ice/field/@concentration: [0.3, 0.5]\n"
+        "seeds: 2\n"
+        "responses: [{channel: ice_load.along.mean_N, name: load}]\n"
+    )
+    return file
+
+
+# What doctests may name, and the fixture that makes it.
+DOCTEST_NAMES: dict[str, tuple[str, Callable[[Any], Any]]] = {
+    "small_scene": ("small_scene", lambda scene: scene),
+    "steered_scene": ("steered_scene", lambda scene: scene),
+    "example_folder": ("small_folder", lambda folder: folder),
+    "example_run": ("small_folder", nilas.Run),
+    "breaking_run": ("breaking_folder", nilas.Run),
+    "example_shapefile": ("floe_shapefile", lambda file: file),
+    "example_study": ("study_file", lambda file: file),
+}
+
+
+def names_in(text: str, request: pytest.FixtureRequest) -> dict[str, Any]:
+    """Those of the names that a doctest uses: what it does not name is not made."""
+    return {
+        name: made_of(request.getfixturevalue(fixture))
+        for name, (fixture, made_of) in DOCTEST_NAMES.items()
+        if name in text
+    }
+
+
 @pytest.fixture(autouse=True)
 def doctest_room(
     request: pytest.FixtureRequest,
@@ -71,12 +113,5 @@ def doctest_room(
     if isinstance(request.node, pytest.Item) and hasattr(request.node, "dtest"):
         monkeypatch.chdir(tmp_path)
         text = "".join(example.source for example in request.node.dtest.examples)
-        if "small_scene" in text:
-            doctest_namespace["small_scene"] = request.getfixturevalue("small_scene")
-        if "example_folder" in text or "example_run" in text:
-            folder = request.getfixturevalue("small_folder")
-            doctest_namespace["example_folder"] = folder
-            doctest_namespace["example_run"] = nilas.Run(folder)
-        if "example_shapefile" in text:
-            doctest_namespace["example_shapefile"] = request.getfixturevalue("floe_shapefile")
+        doctest_namespace |= names_in(text, request)
     yield

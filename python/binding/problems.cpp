@@ -4,6 +4,7 @@
 #include "nilas/solve.h"
 #include "python/binding/arrays.h"
 #include "python/binding/module.h"
+#include "python/binding/problem_docs.h"
 
 namespace nilas::python {
 
@@ -72,19 +73,13 @@ int add_contact(Problem& problem, int body_a, const py::object& jacobian_a, int 
 }
 
 void bind_problem(py::module_& module) {
-  py::class_<Problem>(module, "Problem",
-                      "A contact problem: M v = f + H r, u = H^T v + w, or u = W r + q in its local form. Each contact "
-                      "has a normal row and two tangential ones.")
+  py::class_<Problem>(module, "Problem", docs::k_problem)
       .def(py::init<>(), "A problem without bodies and contacts, for add_body() and add_contact().")
-      .def_static("local", &local_problem, py::arg("W"), py::arg("q"), py::arg("mu"),
-                  "The problem u = W r + q. W: (3 nc, 3 nc) [1/kg]; q: (3 nc,) or (nc, 3) [m/s]; mu: (nc,).")
-      .def_static("read", &Problem::read, py::arg("file"), "Reads a file in FCLIB's format (HDF5).")
-      .def("add_body", &add_body, py::arg("mass"), py::arg("momentum"),
-           "Adds a body with n velocities and returns its index. mass: (n, n); momentum: (n,), M v without contacts.")
+      .def_static("local", &local_problem, py::arg("W"), py::arg("q"), py::arg("mu"), docs::k_local)
+      .def_static("read", &Problem::read, py::arg("file"), docs::k_read)
+      .def("add_body", &add_body, py::arg("mass"), py::arg("momentum"), docs::k_add_body)
       .def("add_contact", &add_contact, py::arg("body_a"), py::arg("jacobian_a"), py::arg("body_b"),
-           py::arg("jacobian_b"), py::arg("w"), py::arg("mu"),
-           "Adds a contact and returns its index. Body -1 does not move, and its jacobian is empty. jacobians: (3, n); "
-           "w: (3,) [m/s].")
+           py::arg("jacobian_b"), py::arg("w"), py::arg("mu"), docs::k_add_contact)
       .def_property_readonly("num_contacts", &Problem::num_contacts)
       .def_property_readonly("num_velocities", &Problem::num_velocities, "0 in the local form.")
       .def_property_readonly("is_local", &Problem::is_local)
@@ -120,14 +115,14 @@ void bind_problem(py::module_& module) {
             const Numbers r = numbers_of("impulses", impulses);
             return by_contact(self.contact_velocities(impulses_of(self, "impulses", r)));
           },
-          py::arg("impulses"), "Velocities at the contacts under impulses (nc, 3), as (nc, 3) [m/s].")
+          py::arg("impulses"), docs::k_contact_velocities)
       .def(
           "velocities",
           [](const Problem& self, const py::object& impulses) {
             const Numbers r = numbers_of("impulses", impulses);
             return array_of(self.velocities(impulses_of(self, "impulses", r)));
           },
-          py::arg("impulses"), "Velocities of the bodies under impulses (nc, 3); empty in the local form.")
+          py::arg("impulses"), docs::k_velocities)
       .def(
           "write",
           [](const Problem& self, const std::filesystem::path& file, const py::object& impulses) {
@@ -135,12 +130,11 @@ void bind_problem(py::module_& module) {
             const Numbers r = numbers_of("impulses", impulses);
             self.write(file, impulses_of(self, "impulses", r));
           },
-          py::arg("file"), py::arg("impulses") = py::none(),
-          "Writes the problem in FCLIB's format, with impulses as its solution if they are given.");
+          py::arg("file"), py::arg("impulses") = py::none(), docs::k_write);
 }
 
 void bind_solution(py::module_& module) {
-  py::class_<Solution>(module, "Solution", "The answer of a solver, and how good it is.")
+  py::class_<Solution>(module, "Solution", docs::k_solution)
       .def_property_readonly(
           "impulses", [](const Solution& self) { return by_contact(self.impulses); }, "(nc, 3) [N s].")
       .def_property_readonly(

@@ -4,6 +4,7 @@
 #include "nilas/scene.h"
 #include "nilas/schema.h"
 #include "python/binding/module.h"
+#include "python/binding/simulation_docs.h"
 
 namespace nilas::python {
 
@@ -46,11 +47,11 @@ py::list schema() {
 }  // namespace
 
 void bind_scenes(py::module_& module) {
-  py::class_<Scene>(module, "CheckedScene", "A scene that was read and checked, with every default filled in.")
+  py::class_<Scene>(module, "CheckedScene", docs::k_checked_scene)
       .def_static("read", &Scene::read, py::arg("file"), py::arg("settings") = std::vector<Setting>(),
-                  py::arg("scale") = 1.0)
+                  py::arg("scale") = 1.0, docs::k_read_scene)
       .def_static("parse", &Scene::parse, py::arg("xml"), py::arg("name"), py::arg("settings") = std::vector<Setting>(),
-                  py::arg("scale") = 1.0)
+                  py::arg("scale") = 1.0, docs::k_parse_scene)
       .def_property_readonly("name", &Scene::name)
       .def_property_readonly("start", &Scene::start, "[s]")
       .def_property_readonly("end", &Scene::end, "[s]")

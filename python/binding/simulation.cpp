@@ -9,13 +9,14 @@
 #include "python/binding/arrays.h"
 #include "python/binding/module.h"
 #include "python/binding/session.h"
+#include "python/binding/simulation_docs.h"
 
 namespace nilas::python {
 
 namespace {
 
 void bind_steps(py::module_& module) {
-  py::class_<VesselStep>(module, "VesselStep", "Loads on the vessel over a step, and its motion at the end.")
+  py::class_<VesselStep>(module, "VesselStep", docs::k_vessel_step)
       .def_property_readonly(
           "contact_force", [](const VesselStep& self) { return array_of(self.contact_force); }, "(3,) [N]")
       .def_property_readonly(
@@ -32,14 +33,14 @@ void bind_steps(py::module_& module) {
       .def_property_readonly(
           "orientation", [](const VesselStep& self) { return array_of(self.orientation); },
           "(4,) unit quaternion (w, x, y, z) from body axes to the ground frame");
-  py::class_<Step>(module, "Step", "What one step did.")
+  py::class_<Step>(module, "Step", docs::k_step)
       .def_readonly("number", &Step::number, "The first is 1.")
       .def_readonly("time", &Step::time, "At its end [s].")
       .def_readonly("contacts", &Step::contacts)
       .def_readonly("floes", &Step::floes)
       .def_readonly("iterations", &Step::iterations)
       .def_readonly("solved", &Step::solved, "Whether the solver reached the scene's tolerance.")
-      .def_readonly("message", &Step::message, "Why it did not.")
+      .def_readonly("message", &Step::message, "What the solver did, or why it failed.")
       .def_readonly("residual", &Step::residual, "Of the contact law [m/s].")
       .def_readonly("state_hash", &Step::state_hash)
       .def_property_readonly(
@@ -51,7 +52,7 @@ void bind_steps(py::module_& module) {
 }
 
 void bind_bodies(py::module_& module) {
-  py::class_<BodyStates>(module, "BodyStates", "All bodies at one time, a row per body.")
+  py::class_<BodyStates>(module, "BodyStates", docs::k_body_states)
       .def_readonly("id", &BodyStates::id)
       .def_readonly("name", &BodyStates::name)
       .def_readonly("kind", &BodyStates::kind, "floe, rigid, wall or vessel")
@@ -75,7 +76,7 @@ void bind_bodies(py::module_& module) {
 void bind_simulation(py::module_& module) {
   bind_steps(module);
   bind_bodies(module);
-  py::class_<Snapshot>(module, "Snapshot", "A state to which a simulation can return.");
+  py::class_<Snapshot>(module, "Snapshot", docs::k_snapshot);
   py::class_<Session>(module, "Simulation")
       .def(py::init([](const Scene& scene, int threads, bool applied_loads,
                        const std::optional<std::filesystem::path>& folder, bool force, bool keep_rows) {

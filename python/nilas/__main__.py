@@ -8,7 +8,13 @@ from nilas.program import program
 
 
 def main() -> NoReturn:
-    """Becomes the program, with the words of the command line."""
+    """Becomes the program, with the words of the command line.
+
+    >>> import subprocess, sys
+    >>> words = [sys.executable, "-m", "nilas", "--version"]
+    >>> subprocess.run(words, capture_output=True, text=True).stdout.startswith("nilas")
+    True
+    """
     path = os.fspath(program())
     os.environ.setdefault("NILAS_PYTHON", sys.executable)  # for the commands that the package carries out
     os.execv(path, [path, *sys.argv[1:]])

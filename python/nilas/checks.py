@@ -44,6 +44,11 @@ def compare(
 
     `out` is the folder of the comparison, with its page and pictures. `options` are further words of the command line,
     such as `["--budget", "300"]`. An earlier comparison in the folder is continued.
+
+    >>> few = ["--solvers", "nsgs", "--laws", "coulomb", "--until", "0.02", "--seeds", "1", "--budget", "30"]
+    >>> settings = compare(small_scene, out="comparison", options=few)["settings"]
+    >>> [(one["label"], one["solver"], one["step_s"]) for one in settings]
+    [('own setting', 'auto', 0.01), ('nsgs', 'nsgs', 0.01)]
     """
     words = ["compare", os.fspath(scene), "--out", os.fspath(out), "--json", "--quiet"]
     return _json_of(words + (options or []))

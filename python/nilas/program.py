@@ -28,7 +28,11 @@ _CODES = {
 
 
 class NotFound(NilasError, FileNotFoundError):
-    """The program ``nilas`` is at none of the places where it is looked for."""
+    """The program ``nilas`` is at none of the places where it is looked for.
+
+    >>> issubclass(NotFound, NilasError) and issubclass(NotFound, FileNotFoundError)
+    True
+    """
 
 
 class Failed(NilasError, RuntimeError):
@@ -36,6 +40,12 @@ class Failed(NilasError, RuntimeError):
 
     ``arguments``: the words after ``nilas``. ``code``: the exit code. ``message``: what the
     program wrote on standard error. ``output``: what it wrote on standard output.
+
+    >>> try:
+    ...     call("check", "there-is-none.xml")
+    ... except Failed as failure:
+    ...     print(failure.code, failure.arguments, "there-is-none.xml" in failure.message)
+    4 ['check', 'there-is-none.xml'] True
     """
 
     def __init__(self, arguments: Sequence[str], code: int, message: str, output: str = "") -> None:
@@ -55,7 +65,11 @@ class Failed(NilasError, RuntimeError):
 
 
 class Answer(NamedTuple):
-    """What a command wrote: ``output`` on standard output, ``messages`` on standard error."""
+    """What a command wrote: ``output`` on standard output, ``messages`` on standard error.
+
+    >>> call("--version").messages
+    ''
+    """
 
     output: str
     messages: str

@@ -65,17 +65,29 @@ class Simulation:
 
     @property
     def time(self) -> float:
-        """The present time [s]."""
+        """The present time [s].
+
+        >>> Simulation(small_scene).time
+        0.0
+        """
         return self._core.time
 
     @property
     def steps(self) -> int:
-        """The number of steps since the start."""
+        """The number of steps since the start.
+
+        >>> Simulation(small_scene).run(until=0.03).steps
+        3
+        """
         return self._core.steps
 
     @property
     def is_done(self) -> bool:
-        """Whether the scene's end is reached, or the carriage's course has ended."""
+        """Whether the scene's end is reached, or the carriage's course has ended.
+
+        >>> Simulation(small_scene, settings={"time/@end": 0.02}).run().is_done
+        True
+        """
         return self._core.is_done
 
     def step(self) -> _core.Step:
@@ -91,7 +103,12 @@ class Simulation:
 
     @property
     def last(self) -> _core.Step | None:
-        """What the last step did; None before the first, and after `restore`."""
+        """What the last step did; None before the first, and after `restore`.
+
+        >>> simulation = Simulation(small_scene)
+        >>> simulation.last is None and simulation.step().number == simulation.last.number
+        True
+        """
         return self._core.last
 
     def run(self, until: float | None = None, callback: Callback | None = None) -> "Simulation":
@@ -162,21 +179,34 @@ class Simulation:
 
     @property
     def vessel(self) -> int | None:
-        """The index of the vessel among the bodies; None without one."""
+        """The index of the vessel among the bodies; None without one.
+
+        >>> simulation = Simulation(small_scene)
+        >>> simulation.bodies.name[simulation.vessel]
+        'ship'
+        """
         return None if self._core.vessel < 0 else self._core.vessel
 
     @property
     def modules(self) -> dict[str, str]:
-        """The models that were built, each with what asks for it."""
+        """The models that were built, each with what asks for it.
+
+        >>> Simulation(small_scene).modules["buoyancy"]
+        '<hydro><buoyancy>'
+        """
         return dict(self._core.modules)
 
     @property
     def warnings(self) -> dict[str, int]:
-        """Warnings since the start, by kind, with their numbers."""
+        """Warnings since the start, by kind, with their numbers.
+
+        >>> Simulation(small_scene).run(until=0.05).warnings
+        {}
+        """
         return dict(self._core.warnings)
 
     def table(self) -> "pandas.DataFrame":
-        """The steps taken here, as `steps.csv` has them, indexed by time in s.
+        """The steps taken here, as `steps.csv` has them, indexed by time in s. A row per step.
 
         >>> simulation = Simulation(small_scene)
         >>> simulation.run(until=0.05).table()["kinetic_J"].size
@@ -186,7 +216,15 @@ class Simulation:
         return _table(self._core.step_columns, self._core.rows, None)
 
     def vessel_table(self) -> "pandas.DataFrame":
-        """Loads on the vessel and its motion in the steps taken here, as `vessel.csv` has them, indexed by time in s."""
+        """Loads on the vessel and its motion in the steps taken here, as `vessel.csv` has them, indexed by time in s.
+
+        A row per step. The names of the columns end in their units.
+
+        >>> simulation = Simulation(small_scene)
+        >>> loads = simulation.run(until=0.05).vessel_table()
+        >>> len(loads), loads.index.name, "ice_resistance_N" in loads.columns
+        (5, 'time_s', True)
+        """
         if self.vessel is None:
             raise InputError("The scene has no vessel.")
         self._demand_table()
@@ -236,17 +274,38 @@ class Simulation:
 
     @property
     def commands(self) -> dict[str, float]:
-        """What rudders, propellers and thrusters are asked for, by name, in SI units."""
+        """What rudders, propellers and thrusters are asked for, by name, in SI units.
+
+        >>> Simulation(steered_scene).commands
+        {'bow.thrust': 0.0}
+        """
         return dict(self._core.commands)
 
     def command(self, values: Mapping[str, float] | None = None, **more: float) -> None:
-        """Sets commands by name, from the next step on."""
+        """Sets commands by name, from the next step on, in SI units with angles in rad.
+
+        Names are those of `commands`. One that is no word of Python, such as `bow.thrust`, stands in `values`; others
+        may be keywords, as `command(rudder=0.1)`.
+
+        >>> simulation = Simulation(steered_scene)
+        >>> simulation.command({"bow.thrust": 20.0})  # [N]
+        >>> simulation.commands
+        {'bow.thrust': 20.0}
+        """
         for name, value in {**(values or {}), **more}.items():
             self._core.set_command(name, float(value))
 
     @property
     def problem(self) -> _core.Problem:
-        """The contact problem of the last step, with its first guess and its solution."""
+        """The contact problem of the last step, with its first guess and its solution, (nc, 3) [N s].
+
+        >>> import nilas
+        >>> simulation = Simulation(small_scene)
+        >>> while simulation.step().contacts == 0:
+        ...     pass
+        >>> nilas.measure(simulation.problem, simulation.problem.solution)["law_map_m_s"] <= 1e-6
+        True
+        """
         return self._core.last_problem
 
     def snapshot(self) -> _core.Snapshot:
@@ -266,6 +325,13 @@ class Simulation:
 
         The scene is built anew for it, which takes as long as at the start. A simulation that writes a run folder
         cannot go back.
+
+        >>> simulation = Simulation(small_scene)
+        >>> simulation.run(until=0.05).restore(simulation.snapshot())
+        >>> start = Simulation(small_scene).snapshot()
+        >>> simulation.restore(start)
+        >>> simulation.steps
+        0
         """
         self._core.restore(snapshot)
 

@@ -33,7 +33,14 @@ class FclibProblem:
     ``mu``: friction coefficients, shape (contacts,). ``r``: impulses, shape (3 contacts,) [N s], or
     None. In the local form ``W`` [1/kg] has the shape (3 contacts, 3 contacts) and ``q`` [m/s]
     (3 contacts,). In the global form ``M`` has (velocities, velocities), ``f`` (velocities,),
-    ``H`` (velocities, 3 contacts) and ``w`` (3 contacts,). What a form lacks is None.
+    ``H`` (velocities, 3 contacts) and ``w`` (3 contacts,). What a form lacks is None. Sizes: ``M``
+    [kg], ``f`` [N s] and ``w`` [m/s] where velocities are translations.
+
+    >>> problem = read_fclib(example_run.problems[0])
+    >>> problem.W is None and problem.M.shape == (len(problem.f), len(problem.f))
+    True
+    >>> problem.w.shape == problem.r.shape == (3 * len(problem.mu),)
+    True
     """
 
     mu: NDArray[np.float64]

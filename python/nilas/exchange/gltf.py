@@ -43,6 +43,9 @@ def write_gltf(run: Run, path: Path, between: tuple[float, float] | None) -> Pat
 
     Each body is a node with its id as an extra property. The time of the animation begins at 0
     at the first frame. A floe that broke shrinks to nothing at once, and its pieces appear.
+
+    >>> write_gltf(example_run, Path("small.glb"), between=(0, 0.2)).read_bytes()[:4]
+    b'glTF'
     """
     if path.suffix.lower() != ".glb":
         raise InputError(f"{path}: the name must end in .glb, the binary form of glTF.")

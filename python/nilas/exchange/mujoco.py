@@ -40,6 +40,10 @@ def write_mujoco(run: Run, path: Path, time: float | None) -> Path:
     by its closed mesh and collides by its convex pieces. There is no water in MuJoCo, so gravity
     is off: a body at rest stays. The keyframe ``nilas`` has poses and, where the run has
     bodies.csv, velocities.
+
+    >>> file = write_mujoco(example_run, Path("small.xml"), time=None)
+    >>> ElementTree.parse(file).getroot().get("model")
+    'small'
     """
     motion = moment_of(run, time)
     root = ElementTree.Element("mujoco", model=str(run.replay.head["scene"]))

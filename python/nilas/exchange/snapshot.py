@@ -19,6 +19,10 @@ class Motion(NamedTuple):
     """``bodies``: what each body is, by its id. ``shapes``: by their numbers.
 
     ``poses``: positions and attitudes over time, exact where the run has bodies.csv.
+
+    >>> motion = motion_of(example_run)
+    >>> {body.shape in motion.shapes for body in motion.bodies.values()}
+    {True}
     """
 
     bodies: dict[int, Body]
@@ -27,7 +31,11 @@ class Motion(NamedTuple):
 
 
 def motion_of(run: Run, between: tuple[float, float] | None = None) -> Motion:
-    """Bodies, shapes and poses from one time to another [s], or of the whole run."""
+    """Bodies, shapes and poses from one time to another [s], or of the whole run.
+
+    >>> len(motion_of(example_run, between=(0.2, 0.3)).poses.times)
+    2
+    """
     poses = run.read_bodies(between)
     if not len(poses.times):
         times = run.replay.times
@@ -38,7 +46,11 @@ def motion_of(run: Run, between: tuple[float, float] | None = None) -> Motion:
 
 
 def moment_of(run: Run, time: float | None) -> Motion:
-    """The same at the stored time nearest to ``time`` [s]; at the last one where it is None."""
+    """The same at the stored time nearest to ``time`` [s]; at the last one where it is None.
+
+    >>> moment_of(example_run, time=0.22).poses.times.tolist()
+    [0.2]
+    """
     times = run.replay.times
     if not len(times):
         raise NoRun(f"{run.folder}: this run has no frame yet.")

@@ -15,6 +15,9 @@ class Solid(NamedTuple):
     """Of a closed surface: volume [m^3], centre, and inertia about the centre for density 1.
 
     ``centre``: shape (3,) [m]. ``inertia``: shape (3, 3) [m^5].
+
+    >>> Solid(2.0, np.zeros(3), np.eye(3)).inertia.shape
+    (3, 3)
     """
 
     volume: float

@@ -37,6 +37,8 @@ class Bodies:
     >>> bodies = example_run.bodies
     >>> bodies.position.shape == (len(bodies.times), len(bodies.ids), 3)
     True
+    >>> bodies.orientation[0, bodies.place("ship")].tolist(), bodies.source
+    ([1.0, 0.0, 0.0, 0.0], 'bodies.csv')
     """
 
     times: NDArray[np.float64]
@@ -115,7 +117,11 @@ class Bodies:
 
 
 def read_bodies(folder: Path, between: tuple[float, float] | None = None) -> Bodies:
-    """The motion of all bodies, of the whole run or from one time to another [s]."""
+    """The motion of all bodies, of the whole run or from one time to another [s].
+
+    >>> read_bodies(example_run.folder, between=(0, 0.1)).times.tolist()
+    [0.0, 0.1]
+    """
     if (folder / "bodies.csv").is_file():
         return _from_table(read_table(folder, "bodies", between=between))
     if (folder / "replay.bin").is_file():

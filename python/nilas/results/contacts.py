@@ -44,31 +44,51 @@ class Contacts:
 
     @property
     def steps(self) -> int:
-        """Number of steps that the file holds whole."""
+        """Number of steps that the file holds whole.
+
+        >>> example_run.contacts.steps
+        50
+        """
         with self._open() as file:
             return len(_complete(file))
 
     @property
     def rows(self) -> int:
-        """Number of contacts of all steps."""
+        """Number of contacts of all steps.
+
+        >>> example_run.contacts.rows == len(example_run.contacts.all(columns=["fx_N"]))
+        True
+        """
         with self._open() as file:
             bounds = _complete(file)
             return int(bounds[-1, 1]) if len(bounds) else 0
 
     @property
     def columns(self) -> list[str]:
-        """Names of the columns, in the order of the reference."""
+        """Names of the columns, in the order of the reference.
+
+        >>> example_run.contacts.columns[:4]
+        ['time_s', 'step', 'body', 'other']
+        """
         with self._open() as file:
             return _names(file)
 
     @property
     def units(self) -> dict[str, str]:
-        """Unit of each column."""
+        """Unit of each column.
+
+        >>> example_run.contacts.units["impulse_x_Ns"]
+        'N s'
+        """
         return self._attributes("unit")
 
     @property
     def meanings(self) -> dict[str, str]:
-        """What each column means, in words."""
+        """What each column means, in words.
+
+        >>> "normal" in example_run.contacts.meanings["nx"]
+        True
+        """
         return self._attributes("meaning")
 
     def step(self, number: int, columns: Sequence[str] | None = None) -> pd.DataFrame:

@@ -17,11 +17,26 @@ _ERROR = re.compile(r"^\d{4}-\d\d-\d\d [\d:.]+ error: (.*)$", re.MULTILINE)
 
 
 class NoRun(InputError):
-    """A folder is not the folder of a run, or lacks what was asked for."""
+    """A folder is not the folder of a run, or lacks what was asked for.
+
+    >>> example_run.events  # doctest: +ELLIPSIS
+    Traceback (most recent call last):
+    nilas.results.folder.NoRun: ...: this run has no events.csv; runs where floes can break have it.
+    """
 
 
 class UnfinishedRun(UserWarning):
-    """A run failed, was interrupted or was killed: its files end early."""
+    """A run failed, was interrupted or was killed: its files end early.
+
+    >>> import shutil, warnings
+    >>> import nilas
+    >>> folder = Path(shutil.copytree(example_folder, "killed"))
+    >>> (folder / "summary.json").unlink()
+    >>> with warnings.catch_warnings(record=True) as told:
+    ...     run = nilas.Run(folder)
+    >>> run.status, told[0].category is nilas.UnfinishedRun
+    ('killed', True)
+    """
 
 
 class State(NamedTuple):
@@ -30,6 +45,9 @@ class State(NamedTuple):
     ``status``: ``done``, ``failed``, ``interrupted``, ``running`` or ``killed`` (it has no
     summary, and no program writes it any more). ``trouble``: a sentence where the run did not
     reach its end, else empty.
+
+    >>> State("killed", "It was killed.").status
+    'killed'
     """
 
     status: str
@@ -65,7 +83,11 @@ def is_run(folder: Path) -> bool:
 
 
 def read_summary(folder: Path) -> dict[str, Any] | None:
-    """The content of summary.json, or None before the run has written it."""
+    """The content of summary.json, or None before the run has written it.
+
+    >>> read_summary(example_folder)["scene"], read_summary(Path("."))
+    ('small', None)
+    """
     file = folder / "summary.json"
     try:
         text = file.read_text(encoding="utf-8")
@@ -81,7 +103,11 @@ def read_summary(folder: Path) -> dict[str, Any] | None:
 
 
 def state_of(folder: Path, summary: dict[str, Any] | None) -> State:
-    """How the run in a folder stands, from its summary or, without one, from its lock."""
+    """How the run in a folder stands, from its summary or, without one, from its lock.
+
+    >>> state_of(example_folder, {"status": "interrupted", "time_end_s": 0.25})
+    State(status='interrupted', trouble='It was interrupted at 0.25 s.')
+    """
     if summary is None:
         if _is_locked(folder / "nilas.log"):
             return State("running", "")

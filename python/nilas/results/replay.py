@@ -37,6 +37,10 @@ class Shape(NamedTuple):
     ``points``: shape (points, 3) [m]. ``polygons``: corners of each, as indices into the points,
     counter-clockwise from outside. ``pieces``: the convex pieces that meet the ice, each a shape
     of its own; empty for floes.
+
+    >>> shape = next(iter(example_run.replay.shapes.values()))
+    >>> max(max(polygon) for polygon in shape.polygons) < len(shape.points)
+    True
     """
 
     points: NDArray[np.float64]
@@ -45,7 +49,12 @@ class Shape(NamedTuple):
 
 
 class Body(NamedTuple):
-    """What does not change of a body. ``thickness`` [m] is 0 unless it is a plate."""
+    """What does not change of a body. ``thickness`` [m] is 0 unless it is a plate.
+
+    >>> body = next(body for body in example_run.replay.bodies().values() if body.kind == "floe")
+    >>> round(body.thickness, 6), body.fixed, body.mass > 0
+    (0.04, False, True)
+    """
 
     id: int
     kind: str
@@ -62,6 +71,10 @@ class Frame:
     """All bodies at one time. ``position``: (bodies, 3) [m, G], of the centres of mass.
 
     ``orientation``: (bodies, 4), unit quaternions in the order (w, x, y, z), from body axes to G.
+
+    >>> frame = example_run.replay.frame(0.1)
+    >>> frame.step, frame.orientation.shape == (len(frame.bodies), 4)
+    (10, True)
     """
 
     time: float
@@ -140,7 +153,11 @@ class Replay:
 
     @property
     def times(self) -> NDArray[np.float64]:
-        """Times of the frames, shape (frames,) [s]."""
+        """Times of the frames, shape (frames,) [s].
+
+        >>> example_run.replay.times.round(6).tolist()
+        [0.0, 0.1, 0.2, 0.3, 0.4, 0.5]
+        """
         return np.array([frame.time for frame in self._frames])
 
     @property
@@ -168,7 +185,11 @@ class Replay:
         return found
 
     def frame(self, time: float) -> Frame:
-        """The stored frame nearest to a time [s]."""
+        """The stored frame nearest to a time [s].
+
+        >>> round(example_run.replay.frame(0.22).time, 6)
+        0.2
+        """
         if not self._frames:
             raise NoRun(f"{self.file}: this holds no frame yet.")
         distances = np.abs(self.times - time)

@@ -20,7 +20,13 @@ _SHARES = 2 + 2 * _LENGTHS
 
 
 class NumberReader:
-    """Reads the coded numbers of frames in turn."""
+    """Reads the coded numbers of frames in turn.
+
+    >>> reader = NumberReader()
+    >>> reader.begin(bytes(4))
+    >>> reader.numbers(0, [NO_PAST, NO_PAST])
+    [0, 0]
+    """
 
     def __init__(self) -> None:
         self._shares: dict[tuple[int, int], list[int]] = {}
@@ -30,18 +36,39 @@ class NumberReader:
         self._code = 0
 
     def forget(self) -> None:
-        """All shares are even again, as at a key frame."""
+        """All shares are even again, as at a key frame.
+
+        >>> reader, data = NumberReader(), bytes([200, 1, 2, 3])
+        >>> reader.begin(data)
+        >>> first = reader.numbers(0, [NO_PAST] * 4)
+        >>> reader.forget()
+        >>> reader.begin(data)
+        >>> reader.numbers(0, [NO_PAST] * 4) == first
+        True
+        """
         self._shares.clear()
 
     def begin(self, data: bytes) -> None:
-        """Starts with the bytes of the next frame."""
+        """Starts with the bytes of the next frame.
+
+        >>> reader = NumberReader()
+        >>> reader.begin(bytes(4))
+        >>> reader.numbers(0, [NO_PAST])
+        [0]
+        """
         self._data = data
         self._at = 4
         self._range = _WHOLE
         self._code = int.from_bytes(data[:4].ljust(4, b"\0"), "big")
 
     def numbers(self, kind: int, pasts: list[int]) -> list[int]:
-        """The next numbers of a kind. ``pasts`` has the past of each, and afterwards its own."""
+        """The next numbers of a kind. ``pasts`` has the past of each, and afterwards its own.
+
+        >>> reader, pasts = NumberReader(), [NO_PAST]
+        >>> reader.begin(bytes(4))
+        >>> reader.numbers(0, pasts), pasts
+        ([0], [0])
+        """
         numbers = []
         for place, past in enumerate(pasts):
             shares = self._shares.get((kind, past))

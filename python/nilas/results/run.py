@@ -135,17 +135,30 @@ class Run:
 
     @property
     def structures(self) -> pd.DataFrame:
-        """Loads on bodies that the scene holds fixed, a row per step."""
+        """Loads on bodies that the scene holds fixed, a row per step.
+
+        >>> "pier_contact_fx_N" in breaking_run.structures.columns
+        True
+        """
         return self._whole("structures")
 
     @property
     def parts(self) -> pd.DataFrame:
-        """Joints and loads of the vessel's parts, a row per step."""
+        """Joints and loads of the vessel's parts, a row per step.
+
+        >>> breaking_run.parts  # doctest: +ELLIPSIS
+        Traceback (most recent call last):
+        nilas.results.folder.NoRun: ...: this run has no parts.csv; runs with <part> or <rod> have it.
+        """
         return self._whole("parts")
 
     @property
     def events(self) -> pd.DataFrame:
-        """Floes that broke, a row per floe."""
+        """Floes that broke, a row per floe.
+
+        >>> bool((breaking_run.events.time_s <= 1.0).all()) and len(breaking_run.events) > 0
+        True
+        """
         return self._whole("events")
 
     def units(self, table: str) -> dict[str, str]:
@@ -252,7 +265,11 @@ class Run:
 
     @property
     def structure_loads(self) -> pd.DataFrame:
-        """Statistics of the loads on fixed bodies, a row per body and channel."""
+        """Statistics of the loads on fixed bodies, a row per body and channel.
+
+        >>> breaking_run.structure_loads.loc[("pier", "contact_fx_N"), "unit"]
+        'N'
+        """
         return structure_table(self.summary)
 
     @property

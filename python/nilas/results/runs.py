@@ -54,7 +54,12 @@ def runs(
 
 
 class Runs(Sequence[Run]):
-    """A list of runs with tables over all of them."""
+    """A list of runs with tables over all of them.
+
+    >>> together = Runs([example_run, example_run])
+    >>> len(together), together[0].status, together.names
+    (2, 'done', ['small (1)', 'small (2)'])
+    """
 
     def __init__(self, members: Sequence[Run]) -> None:
         if not members:
@@ -147,7 +152,11 @@ class Runs(Sequence[Run]):
         columns: Sequence[str] | None = None,
         between: tuple[float, float] | None = None,
     ) -> pd.DataFrame:
-        """One table of all runs below each other, with the name of the run as first index."""
+        """One table of all runs below each other, with the name of the run as first index.
+
+        >>> runs([example_folder]).table("vessel", columns=["x_m"], between=(0.2, 0.3)).shape[1]
+        1
+        """
         parts = [run.table(name, columns, between) for run in self]
         frame = pd.concat(parts, keys=self.names, names=["run"])
         frame.attrs["units"] = parts[0].attrs["units"]

@@ -17,6 +17,9 @@ def attributes_of(file: Path) -> dict[str, str]:
 
     Elements that occur several times are told apart by their name, else by their number. Where
     outputs go and hashes of inputs are left out.
+
+    >>> attributes_of(example_folder / "scene.xml")["contact/friction[@between='hull ice']/@static"]
+    '0.1'
     """
     try:
         root = ElementTree.parse(file).getroot()

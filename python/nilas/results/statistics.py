@@ -18,6 +18,10 @@ def load_table(summary: Mapping[str, Any]) -> pd.DataFrame:
 
     ``error`` is the half width of the interval of about 95 % of the mean, nan where it is not
     known. It holds for one ice field.
+
+    >>> table = load_table({"loads": {"ice_side_N": {"mean": 2.0, "std": 0.5, "max": 3, "p99": 3}}})
+    >>> table.loc["ice_side_N", ["unit", "mean"]].tolist()
+    ['N', 2.0]
     """
     loads = summary.get("loads") or {}
     errors = (summary.get("load_error") or {}).get("channels") or {}
@@ -37,6 +41,10 @@ def structure_table(summary: Mapping[str, Any]) -> pd.DataFrame:
     """A row per fixed body and load channel, with the figures of summary.json.
 
     Names of figures have no unit here: the column ``unit`` has that of the channel.
+
+    >>> pier = {"name": "pier", "loads": {"contact_mz_Nm": {"mean_Nm": 2.0}}}
+    >>> structure_table({"structures": [pier]}).loc[("pier", "contact_mz_Nm")].tolist()
+    ['N m', 2.0]
     """
     rows = {}
     for structure in summary.get("structures") or []:

@@ -53,6 +53,9 @@ def read_table(
     ``columns``: those to read, all if None; others cost no memory. ``between``: only rows from
     the first to the second time [s], both included. ``attrs["units"]`` has the unit of each
     column.
+
+    >>> read_table(example_folder, "vessel", columns=["x_m"], between=(0.2, 0.3)).attrs["units"]
+    {'time_s': 's', 'x_m': 'm'}
     """
     file = table_file(folder, name)
     header = column_names(file)
@@ -78,7 +81,11 @@ def read_table(
 
 
 def table_file(folder: Path, name: str) -> Path:
-    """The file of a table. Raises ``NoRun`` where the run does not have it."""
+    """The file of a table. Raises ``NoRun`` where the run does not have it.
+
+    >>> table_file(example_folder, "vessel").name
+    'vessel.csv'
+    """
     if name not in TABLES:
         raise unknown(f"There is no table '{name}'", name, TABLES)
     kind = TABLES[name]
@@ -88,7 +95,11 @@ def table_file(folder: Path, name: str) -> Path:
 
 
 def column_names(file: Path) -> list[str]:
-    """The names in the first row of a CSV file."""
+    """The names in the first row of a CSV file.
+
+    >>> column_names(example_folder / "steps.csv")[0]
+    'time_s'
+    """
     with file.open("rb") as stream:
         head = stream.readline()
     if not head.endswith(b"\n"):

@@ -37,6 +37,12 @@ class Surface:
     ``ends``: for each polygon the place after its last corner. ``cells``: arrays with one entry
     per polygon, such as ``id`` and ``speed_m_s``. ``values``: arrays with one entry per point,
     such as ``force_N``. ``bodies``: name of each body by its id.
+
+    >>> hull = example_run.trajectory.surface("vessel", 0)
+    >>> hull.points.shape[1], hull.corners.max() < len(hull.points), len(hull) == len(hull.ends)
+    (3, True, True)
+    >>> list(hull.bodies.values())
+    ['ship']
     """
 
     points: NDArray[np.float64]
@@ -96,19 +102,31 @@ class Trajectory:
 
     @property
     def times(self) -> NDArray[np.float64]:
-        """Times of the frames, shape (frames,) [s]."""
+        """Times of the frames, shape (frames,) [s].
+
+        >>> example_run.trajectory.times.tolist()
+        [0.0, 0.1, 0.2, 0.3, 0.4, 0.5]
+        """
         return np.array(sorted(self._frames))
 
     @property
     def blocks(self) -> list[str]:
-        """Names of what the frames show, such as ``ice floes``, ``vessel``, ``contact forces``."""
+        """Names of what the frames show, such as ``ice floes``, ``vessel``, ``contact forces``.
+
+        >>> "contact forces" in example_run.trajectory.blocks
+        True
+        """
         names: dict[str, None] = {}
         for frame in self._frames.values():
             names.update(dict.fromkeys(frame))
         return list(names)
 
     def surface(self, block: str, time: float) -> Surface:
-        """One block of the frame nearest to a time [s]."""
+        """One block of the frame nearest to a time [s].
+
+        >>> "force_N" in example_run.trajectory.surface("contact forces", 0.3).values
+        True
+        """
         if not self._frames:
             raise NoRun(f"{self._folder}: trajectory.pvd lists no frame yet.")
         nearest = min(self._frames, key=lambda at: (abs(at - time), at))
@@ -129,7 +147,12 @@ class Trajectory:
 
 
 def read_vtp(file: Path) -> Surface:
-    """A VTP file as Nilas writes it: polygons or points with their data."""
+    """A VTP file as Nilas writes it: polygons or points with their data.
+
+    >>> file = sorted(example_folder.rglob("*.vtp"))[0]
+    >>> read_vtp(file).points.shape[1]
+    3
+    """
     try:
         root = ElementTree.parse(file).getroot()
     except FileNotFoundError:

@@ -39,7 +39,11 @@ class Element:
 
     @property
     def tag(self) -> str:
-        """The name of the element."""
+        """The name of the element.
+
+        >>> Element("gravity").tag
+        'gravity'
+        """
         return self._table.name
 
     @property
@@ -53,7 +57,11 @@ class Element:
 
     @property
     def children(self) -> tuple["Element", ...]:
-        """The elements in it, in their order."""
+        """The elements in it, in their order.
+
+        >>> [child.tag for child in Element("scene", Element("time"), Element("seed")).children]
+        ['time', 'seed']
+        """
         return tuple(self._children)
 
     def append(self, child: "Element") -> "Element":
@@ -73,7 +81,13 @@ class Element:
         return child
 
     def remove(self, child: "Element") -> None:
-        """Removes a child."""
+        """Removes a child; nothing happens where it is none.
+
+        >>> scene = Element("scene", Element("time"), Element("seed"))
+        >>> scene.remove(scene.find("time"))
+        >>> [child.tag for child in scene]
+        ['seed']
+        """
         self._children = [other for other in self._children if other is not child]
 
     def find(self, tag: str) -> "Element":
@@ -111,13 +125,21 @@ class Element:
             )
 
     def to_tree(self) -> ElementTree.Element:
-        """The element as a tree of the standard library."""
+        """The element as a tree of the standard library.
+
+        >>> Element("time", end=2).to_tree().attrib
+        {'end': '2'}
+        """
         tree = ElementTree.Element(self.tag, self._attributes)
         tree.extend(child.to_tree() for child in self._children)
         return tree
 
     def xml(self) -> str:
-        """The element as text."""
+        """The element as text.
+
+        >>> Element("time", step=0.01, end=2).xml()
+        '<time step="0.01" end="2" />'
+        """
         tree = self.to_tree()
         ElementTree.indent(tree)
         return ElementTree.tostring(tree, encoding="unicode")

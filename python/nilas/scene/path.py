@@ -11,7 +11,11 @@ _STEP = re.compile(r"(\w+)(?:\[(?:(\d+)|(\+)|@(\w+)=(?:'([^']*)'|\"([^\"]*)\"))\
 
 @dataclasses.dataclass(frozen=True)
 class Step:
-    """One element of a path: its name, and which of several it is."""
+    """One element of a path: its name, and which of several it is.
+
+    >>> Step("body", key="name", value="ship").is_new
+    False
+    """
 
     tag: str
     number: int = 0  # 1-based; 0: not given
@@ -20,7 +24,15 @@ class Step:
     value: str = ""
 
     def found_in(self, parent: Element) -> Element:
-        """The child that is meant; added where none has the name and none is picked."""
+        """The child that is meant; added where none has the name and none is picked.
+
+        >>> scene = Element("scene", Element("body", name="one"), Element("body", name="two"))
+        >>> Step("body", number=2).found_in(scene)["name"]
+        'two'
+        >>> Step("body").found_in(scene)
+        Traceback (most recent call last):
+        nilas.errors.InputError: There are 2 <body> in <scene>; say which by [number] or [@name='...'].
+        """
         if self.is_new:
             return parent.append(Element(self.tag))
         named = [child for child in parent if child.tag == self.tag]

@@ -91,7 +91,14 @@ class Scene(Element):
     def check(self, settings: Settings | None = None, scale: float = 1.0) -> _core.CheckedScene:
         """Checks the scene and fills in every default.
 
-        The result has the attributes `name`, `start`, `end` and `step` in s, `xml`, `notes` and `warnings`.
+        The result has the attributes `name`, `start`, `end` and `step` in s, `xml`, `fingerprint`, `notes` and
+        `warnings`. Raises `InputError` with every fault.
+
+        >>> Scene(Element("time", end=2), name="empty").check({"time/@step": 0.5}).step
+        0.5
+        >>> Scene(Element("time", end=-1), name="empty").check()  # doctest: +ELLIPSIS
+        Traceback (most recent call last):
+        nilas.errors.InputError: ...empty.xml...<time end>...
         """
         name = self["name"] or "scene"
         return _core.CheckedScene.parse(
@@ -99,7 +106,12 @@ class Scene(Element):
         )
 
     def write(self, file: str | os.PathLike[str]) -> pathlib.Path:
-        """Writes the scene as a file and returns its path. Relative paths in it must hold for its new folder."""
+        """Writes the scene as a file and returns its path. Relative paths in it must hold for its new folder.
+
+        >>> file = Scene(Element("time", end=2), name="empty").write("empty.xml")
+        >>> Scene.read(file).find("time")["end"]
+        '2'
+        """
         path = pathlib.Path(file)
         try:
             path.write_text(

@@ -10,7 +10,11 @@ from nilas.names import unknown
 
 @dataclasses.dataclass(frozen=True)
 class ElementTable:
-    """One element: its documentation, its attributes and the elements that may stand in it."""
+    """One element: its documentation, its attributes and the elements that may stand in it.
+
+    >>> table_of("friction").parent, table_of("friction").may_repeat
+    ('contact', True)
+    """
 
     name: str
     parent: str

@@ -12,6 +12,13 @@ class StudyError(Exception):
 
     ``code``: the exit code of the command, 2 for wrong input and 4 for a file that cannot be
     read or written.
+
+    >>> import nilas.study
+    >>> try:
+    ...     nilas.study.read_study("there-is-none.yaml")
+    ... except nilas.study.StudyError as error:
+    ...     print(error.code, error)
+    4 The study file there-is-none.yaml cannot be read: No such file or directory.
     """
 
     def __init__(self, message: str, code: int = 2) -> None:

@@ -27,7 +27,17 @@ class Run:
 
 @dataclass
 class Plan:
-    """Points and seeds of a study. Runs are named, never stored: 1e5 of them cost nothing."""
+    """Points and seeds of a study. Runs are named, never stored: 1e5 of them cost nothing.
+
+    >>> from nilas.study import read_study
+    >>> plan = Plan(read_study(example_study))
+    >>> len(plan.points), plan.least_runs
+    (4, 8)
+    >>> [run.name for run in plan.runs(plan.points[0])]
+    ['speed-0.2_concentration-0.3/seed-1', 'speed-0.2_concentration-0.3/seed-2']
+    >>> plan.points[3].overrides
+    (('vessel/carriage/@speed', '0.3'), ('ice/field/@concentration', '0.5'))
+    """
 
     study: Study
     points: list[Point] = field(default_factory=list)

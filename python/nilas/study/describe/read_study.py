@@ -40,6 +40,12 @@ def read_study(file: str | Path, out: str | Path | None = None) -> Study:
     """The study of a file. ``out``: another folder than the one that the file names.
 
     Raises ``StudyError`` with all faults of the file.
+
+    >>> study = read_study(example_study)
+    >>> [factor.name for factor in study.factors], study.seeds.count
+    (['speed', 'concentration'], 2)
+    >>> [response.title for response in study.responses]
+    ['load [N]']
     """
     path = Path(file)
     faults = Faults(str(file))
