@@ -88,7 +88,7 @@ class Runs(Sequence[Run]):
 
         Figures that a run does not have are nan, as all are of runs that still go on.
 
-        >>> runs([example_folder]).frame["ice_load.along.mean_N"].notna().all()
+        >>> bool(runs([example_folder]).frame["ice_load.along.mean_N"].notna().all())
         True
         """
         return self._table_of(_FIGURES)

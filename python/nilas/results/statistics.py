@@ -20,8 +20,8 @@ def load_table(summary: Mapping[str, Any]) -> pd.DataFrame:
     known. It holds for one ice field.
 
     >>> table = load_table({"loads": {"ice_side_N": {"mean": 2.0, "std": 0.5, "max": 3, "p99": 3}}})
-    >>> table.loc["ice_side_N", ["unit", "mean"]].tolist()
-    ['N', 2.0]
+    >>> table.loc["ice_side_N", "unit"], float(table.loc["ice_side_N", "mean"])
+    ('N', 2.0)
     """
     loads = summary.get("loads") or {}
     errors = (summary.get("load_error") or {}).get("channels") or {}
@@ -43,8 +43,9 @@ def structure_table(summary: Mapping[str, Any]) -> pd.DataFrame:
     Names of figures have no unit here: the column ``unit`` has that of the channel.
 
     >>> pier = {"name": "pier", "loads": {"contact_mz_Nm": {"mean_Nm": 2.0}}}
-    >>> structure_table({"structures": [pier]}).loc[("pier", "contact_mz_Nm")].tolist()
-    ['N m', 2.0]
+    >>> row = structure_table({"structures": [pier]}).loc[("pier", "contact_mz_Nm")]
+    >>> row["unit"], float(row["mean"])
+    ('N m', 2.0)
     """
     rows = {}
     for structure in summary.get("structures") or []:

@@ -6,9 +6,10 @@ A table of a run that goes on may end within a row. Only whole rows are read.
 from __future__ import annotations
 
 import io
+import re
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import pandas as pd
 
@@ -20,6 +21,12 @@ if TYPE_CHECKING:
     import xarray as xr
 
 TIME = "time_s"
+
+
+def _version(text: str) -> tuple[int, ...]:
+    """The first two numbers of a version."""
+    return tuple(int(number) for number in re.findall(r"\d+", text)[:2])
+
 
 
 class _Kind(NamedTuple):
@@ -38,6 +45,10 @@ TABLES = {
 }
 # Texts that could be taken for numbers: hashes, lists of ids, names such as "12".
 _TEXTS = ("status", "state_hash", "kind", "pieces", "name")
+# What makes pandas read numbers to the last bit; from 3.1 on it does so by itself.
+_EXACT: dict[str, Any] = (
+    {} if _version(pd.__version__) >= (3, 1) else {"float_precision": "round_trip"}
+)
 _BLOCK = 1 << 16  # bytes that are searched at a time for the end of the last row
 
 
@@ -64,7 +75,7 @@ def read_table(
         _whole_rows(file),
         usecols=wanted,
         dtype={text: str for text in _TEXTS if text in header},
-        float_precision="round_trip",
+        **_EXACT,
         keep_default_na=False,
         na_values={column: ["nan", "-nan"] for column in header if column not in _TEXTS},
     )

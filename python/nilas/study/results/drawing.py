@@ -103,7 +103,8 @@ def svg_of(fig: Figure, rows: Sequence[Row] = (), title: str = "") -> str:
     text = re.sub(r'\b(id|xlink:href|clip-path)="(#|url\(#)?', lambda m: _named(m, prefix), text)
     label = html.escape(title, quote=True)
     text = text.replace("<svg ", f'<svg role="img" aria-label="{label}" ', 1)
-    return re.sub(r'<a xlink:href="run:(\d+)">', lambda m: _link(rows[int(m[1])]), text)
+    # Newer releases of Matplotlib add a target.
+    return re.sub(r'<a xlink:href="run:(\d+)"[^>]*>', lambda m: _link(rows[int(m[1])]), text)
 
 
 def hash_of(text: str) -> int:
