@@ -20,6 +20,7 @@ from nilas.study.describe.faults import StudyError
 from nilas.study.describe.plan import Plan, Run
 from nilas.study.describe.points import Point
 from nilas.study.describe.read_study import read_study
+from nilas.study.needs import demand_packages
 from nilas.study.results.closing import finish_study
 from nilas.study.results.overview import plan_text, status_text
 from nilas.study.snakemake.snakefile import write_snakefile
@@ -64,6 +65,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def _carry_out(options: argparse.Namespace) -> int:
+    is_part = options.status or options.judge or options.run or options.part
+    demand_packages(page=not is_part and not options.no_page)
     plan = Plan(read_study(options.study, options.out))
     if options.threads:
         plan = Plan(plan.study.with_threads(options.threads))

@@ -6,7 +6,8 @@ import signal
 import time
 
 import pytest
-from study_desk import STUDY
+from nilas.study import main, needs
+from study_desk import STAND_IN, STUDY
 
 from nilas.study.describe.plan import Plan
 from nilas.study.describe.read_study import read_study
@@ -365,6 +366,28 @@ def test_two_processes_do_not_carry_out_one_study(desk):
     assert code == 4 and "Another process is carrying out the study" in text
     first.send_signal(signal.SIGINT)
     first.communicate(timeout=120)
+
+
+def test_missing_packages_are_told_before_any_run(desk, monkeypatch, capsys):
+    """Matplotlib is looked for at the begin: without it the page failed after the last run."""
+    desk.write()
+    monkeypatch.chdir(desk.folder)
+    monkeypatch.setattr(needs, "find_spec", lambda name: None if name == "matplotlib" else name)
+    words = ["study.yaml", "--program", str(STAND_IN)]
+    assert main(words) == 4
+    told = capsys.readouterr().err
+    assert "Studies need the package matplotlib" in told and "--no-page" in told
+    assert not (desk.folder / "runs").exists()
+    assert main([*words, "--no-page", "--quiet"]) == 0
+    assert len(records(desk)) == 12
+
+
+def test_without_yaml_the_command_says_so(desk):
+    (desk.folder / "yaml.py").write_text("raise ModuleNotFoundError(\"No module named 'yaml'\", name='yaml')\n")
+    process = desk.start("--status")  # the folder of the command is searched first
+    errors = process.communicate(timeout=60)[1]
+    assert process.returncode == 4
+    assert "Studies need the package yaml" in errors and "python3-yaml" in errors and "Traceback" not in errors
 
 
 def test_the_plan_and_the_state_are_told(desk):
