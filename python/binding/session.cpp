@@ -22,6 +22,7 @@ Step Session::step() {
     // The HDF5 library is not made for several threads, and other packages of Python use it under the lock.
     if (writer_) writer_->record();
     if (keep_rows_) {
+      row_steps_.push_back(step.number);
       rows_.insert(rows_.end(), step.numbers.begin(), step.numbers.end());
       vessel_rows_.insert(vessel_rows_.end(), step.vessel_numbers.begin(), step.vessel_numbers.end());
     }
@@ -44,9 +45,11 @@ void Session::finish(const std::string& status, const std::string& message) {
 void Session::restore(const Snapshot& snapshot) {
   if (writer_) throw Error(ErrorKind::input, "a simulation that writes a run folder cannot go back in time");
   simulation_.restore(snapshot);
-  const auto kept = static_cast<std::size_t>(simulation_.steps());
-  rows_.resize(std::min(rows_.size(), kept * simulation_.step_columns().size()));
-  vessel_rows_.resize(std::min(vessel_rows_.size(), kept * simulation_.vessel_columns().size()));
+  // A state of another simulation may lie ahead of all rows, so that these do not begin with the first step.
+  const auto later = std::upper_bound(row_steps_.begin(), row_steps_.end(), simulation_.steps());
+  row_steps_.erase(later, row_steps_.end());
+  rows_.resize(row_steps_.size() * simulation_.step_columns().size());
+  vessel_rows_.resize(row_steps_.size() * simulation_.vessel_columns().size());
   last_.reset();
 }
 

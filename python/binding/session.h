@@ -24,7 +24,7 @@ class Session {
   Step step();
   /// Finishes the run folder, once. Throws Error.
   void finish(const std::string& status, const std::string& message);
-  /// Goes back, and forgets the steps since then. Throws Error, and where a run folder is being written.
+  /// Goes to a state, and forgets the rows of later steps. Throws Error, and where a run folder is being written.
   void restore(const Snapshot& snapshot);
 
   Simulation& simulation() { return simulation_; }
@@ -39,6 +39,7 @@ class Session {
   std::optional<RunWriter> writer_;
   bool is_finished_ = false;  ///< there was a run folder, and it is finished
   bool keep_rows_;
+  std::vector<long> row_steps_;  ///< the number of the step of each row, which rises
   std::vector<double> rows_, vessel_rows_;
   std::optional<Step> last_;
 };

@@ -199,6 +199,23 @@ def test_folders_end_as_their_runs_do(tmp_path):
         nilas.Simulation(balls(), folder=tmp_path / "other").close("finished")
 
 
+def test_a_table_has_each_step_once_whatever_state_it_returned_to():
+    """Also that of another simulation, which was further on."""
+    other = nilas.Simulation(balls())
+    hashes(other, 10)
+    at_10 = other.snapshot()
+    hashes(other, 5)
+    at_15 = other.snapshot()
+    simulation = nilas.Simulation(balls())
+    hashes(simulation, 3)
+    simulation.restore(at_10)
+    hashes(simulation, 8)
+    simulation.restore(at_15)
+    hashes(simulation, 2)
+    steps = [*range(1, 4), *range(11, 18)]
+    assert np.allclose(simulation.table().index, 0.01 * np.array(steps), rtol=0, atol=1e-12)
+
+
 def test_snapshots_of_ice_that_breaks():
     scene = pathlib.Path(__file__).parents[1] / "scenes" / "breaking.xml"
     simulation = nilas.Simulation(scene)
