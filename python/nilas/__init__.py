@@ -9,6 +9,8 @@ installed is missed only where it is needed.
 >>> import nilas
 >>> "Run" in dir(nilas)
 True
+>>> nilas.__version__ == nilas.version()
+True
 """
 
 from importlib import import_module
@@ -92,6 +94,8 @@ __all__ = list(_HOMES)
 
 def __getattr__(name: str) -> Any:
     """Imports a public name from its module at its first use (PEP 562)."""
+    if name == "__version__":
+        return __getattr__("version")()
     if name not in _HOMES:
         raise AttributeError(f"Nilas has no '{name}'. It has {', '.join(sorted(_HOMES))}.")
     try:

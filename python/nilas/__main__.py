@@ -4,7 +4,9 @@ import os
 import sys
 from typing import NoReturn
 
-from nilas.program import program
+from nilas.program import NotFound, program
+
+_FILE_MISSING = 4  # exit code, as the program has it
 
 
 def main() -> NoReturn:
@@ -15,7 +17,11 @@ def main() -> NoReturn:
     >>> subprocess.run(words, capture_output=True, text=True).stdout.startswith("nilas")
     True
     """
-    path = os.fspath(program())
+    try:
+        path = os.fspath(program())
+    except NotFound as error:
+        print(f"error: {error}", file=sys.stderr)
+        sys.exit(_FILE_MISSING)
     os.environ.setdefault("NILAS_PYTHON", sys.executable)  # for the commands that the package carries out
     os.execv(path, [path, *sys.argv[1:]])
 

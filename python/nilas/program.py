@@ -7,7 +7,7 @@ import signal
 import subprocess
 import sys
 import sysconfig
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import IO, TYPE_CHECKING, NamedTuple
@@ -169,31 +169,21 @@ def run(
     >>> first.status
     'done'
     """
+    from nilas.results.run import Run
+    from nilas.values import written
+
     words = [os.fspath(scene), "--out", os.fspath(out), *options]
     if not echo:
         words.append("--quiet")
     for path, value in (settings or {}).items():
-        words += ["--set", f"{path}={_text(value)}"]
+        words += ["--set", f"{path}={written(value)}"]
     for option, number in (("--until", until), ("--seed", seed), ("--threads", threads)):
         if number is not None:
-            words += [option, _text(number)]
+            words += [option, written(number)]
     if force:
         words.append("--force")
     call("run", *words, echo=echo)
-    from nilas.results.run import Run
-
     return Run(out)
-
-
-def _text(value: object) -> str:
-    """A value as the scene file has it: true or false, numbers apart by spaces."""
-    if isinstance(value, str):
-        return value
-    if isinstance(value, Iterable):
-        return " ".join(_text(one) for one in value)
-    if isinstance(value, bool):
-        return "true" if value else "false"
-    return repr(float(value)) if isinstance(value, float) else str(value)
 
 
 def _is_program(path: Path) -> bool:

@@ -293,6 +293,8 @@ class Simulation:
         {'bow.thrust': 20.0}
         """
         for name, value in {**(values or {}), **more}.items():
+            if isinstance(value, (str, bytes)) or not hasattr(value, "__float__"):
+                raise InputError(f"The command {name} is a number; found {value!r}.")
             self._core.set_command(name, float(value))
 
     @property

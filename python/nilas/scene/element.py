@@ -7,7 +7,7 @@ from typing import Any
 from nilas.errors import InputError
 from nilas.names import unknown
 from nilas.scene.table import table_of
-from nilas.scene.values import written
+from nilas.values import written
 
 
 class Element:

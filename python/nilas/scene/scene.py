@@ -10,7 +10,7 @@ from nilas import _core
 from nilas.errors import FileError, InputError
 from nilas.scene.element import Element
 from nilas.scene.path import read_path
-from nilas.scene.values import written
+from nilas.values import written
 
 Settings = Mapping[str, Any]
 

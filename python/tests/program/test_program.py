@@ -111,6 +111,38 @@ def test_ctrl_c_lets_the_run_finish_its_files(
         assert nilas.Run(folder).status == "interrupted"
 
 
+def test_values_are_written_as_those_of_scenes(small_scene: Path, tmp_path: Path) -> None:
+    """Those of numpy too: a boolean of numpy came as True, which the program does not take."""
+    run = nilas.run(
+        small_scene,
+        out=tmp_path / "run",
+        until=np.float32(0.25),
+        settings={"output/@bodies": np.True_, "gravity/@value": np.array([0, 0, -9.5])},
+    )
+    assert run.settings["output/@bodies"] == "true" and run.settings["gravity/@value"] == "0 0 -9.5"
+    assert run.settings["time/@end"] == "0.25"
+    with pytest.raises(nilas.InputError, match="must be finite; found nan"):
+        nilas.run(small_scene, out=tmp_path / "no", settings={"time/@end": float("nan")})
+
+
+def test_the_module_says_where_it_looked_for_the_program(tmp_path: Path) -> None:
+    environment = {
+        **os.environ,
+        "PYTHONPATH": str(Path(nilas.__file__).parents[1]),
+        "NILAS_PROGRAM": str(tmp_path / "none"),
+    }
+    done = subprocess.run(
+        [sys.executable, "-m", "nilas"], env=environment, capture_output=True, text=True
+    )
+    assert done.returncode == 4
+    assert done.stderr.startswith("error: NILAS_PROGRAM names") and "Traceback" not in done.stderr
+
+
+def test_the_version_has_the_usual_name_too() -> None:
+    assert nilas.__version__ == nilas.version()
+    assert nilas.call("--version").output.split()[1].startswith(nilas.__version__)
+
+
 def test_what_the_program_says_is_shown_where_asked(
     small_scene: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

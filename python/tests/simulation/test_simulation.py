@@ -274,6 +274,8 @@ def test_faults_say_what_is_allowed(tmp_path):
         loaded.bodies.velocity[0] = [1, 0, 0]
     with pytest.raises(nilas.InputError, match="index or its name"):
         loaded.apply(None, [1, 0, 0])
+    with pytest.raises(nilas.InputError, match="The command rudder is a number; found '1'"):
+        simulation.command(rudder="1")
     with pytest.raises(nilas.InputError, match="nothing to command"):
         simulation.command(rudder=1)
     with pytest.raises(nilas.InputError, match="has no vessel"):
