@@ -94,6 +94,8 @@ __all__ = list(_HOMES)
 
 def __getattr__(name: str) -> Any:
     """Imports a public name from its module at its first use (PEP 562)."""
+    if name == "study":
+        return import_module("nilas.study")
     if name == "__version__":
         return __getattr__("version")()
     if name not in _HOMES:

@@ -4,6 +4,7 @@ import json
 import os
 from typing import TYPE_CHECKING, Any
 
+from nilas.arguments import path, several
 from nilas.program import Failed, call
 
 if TYPE_CHECKING:
@@ -28,9 +29,9 @@ def verify(
     import pandas
 
     words = ["verify", "--json", "--quiet"]
-    for flag, values in (("--case", cases), ("--solver", solvers), ("--law", laws)):
-        for value in values or []:
-            words += [flag, value]
+    for name, values in (("case", cases), ("solver", solvers), ("law", laws)):
+        for value in several(f"{name}s", values or []):
+            words += [f"--{name}", value]
     return pandas.DataFrame(_json_of(words)["rows"])
 
 
@@ -50,8 +51,8 @@ def compare(
     >>> [(one["label"], one["solver"], one["step_s"]) for one in settings]
     [('own setting', 'auto', 0.01), ('nsgs', 'nsgs', 0.01)]
     """
-    words = ["compare", os.fspath(scene), "--out", os.fspath(out), "--json", "--quiet"]
-    return _json_of(words + (options or []))
+    words = ["compare", path("scene", scene), "--out", path("out", out), "--json", "--quiet"]
+    return _json_of(words + several("options", options or []))
 
 
 def _json_of(words: list[str]) -> Any:

@@ -23,6 +23,7 @@ from numpy.typing import ArrayLike
 
 from nilas import _core
 from nilas._core import Problem, Solution
+from nilas.arguments import number, path, whole, word
 
 __all__ = ["Problem", "Solution", "solve", "measure", "solvers", "version"]
 
@@ -35,7 +36,9 @@ def problem_of(source: Source) -> Problem:
     >>> problem_of(Problem()).num_contacts
     0
     """
-    return source if isinstance(source, Problem) else Problem.read(os.fspath(source))
+    if isinstance(source, Problem):
+        return source
+    return Problem.read(path("problem", source, "a nilas.Problem"))
 
 
 def solve(
@@ -53,7 +56,8 @@ def solve(
     """Solves a contact problem, or that of a file in FCLIB's format.
 
     `tolerance` is the residual of the law in m/s at which the solver stops, and `guess` holds impulses, (nc, 3) in N s.
-    Results do not depend on `threads`. A problem that is not solved is no error: look at `status` of the answer.
+    `max_seconds` limits the wall time in s, and 0 sets no limit. With `history` the answer keeps the residual of each
+    iteration. Results do not depend on `threads`. A problem that is not solved is no error: look at `status` of the answer.
     `nilas.solvers()` lists the solvers with their laws.
 
     >>> W = [[2.0, 0, 0], [0, 2.0, 0], [0, 0, 2.0]]
@@ -63,14 +67,14 @@ def solve(
     """
     return _core.solve(
         problem_of(problem),
-        solver=solver,
-        law=law,
-        tolerance=tolerance,
+        solver=word("solver", solver),
+        law=word("law", law),
+        tolerance=number("tolerance", tolerance),
         guess=guess,
-        max_iterations=max_iterations,
-        max_seconds=max_seconds,
-        threads=threads,
-        history=history,
+        max_iterations=whole("max_iterations", max_iterations),
+        max_seconds=number("max_seconds", max_seconds),
+        threads=whole("threads", threads),
+        history=bool(history),
     )
 
 
@@ -81,7 +85,7 @@ def measure(problem: Source, impulses: ArrayLike, *, law: str = "coulomb") -> di
     >>> measure(problem, [[0, 0, 0]])["law_map_m_s"]
     1.0
     """
-    return _core.measure(problem_of(problem), impulses, law=law)
+    return _core.measure(problem_of(problem), impulses, law=word("law", law))
 
 
 def solvers() -> dict[str, dict[str, Any]]:

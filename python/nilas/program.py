@@ -12,6 +12,7 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import IO, TYPE_CHECKING, NamedTuple
 
+from nilas.arguments import path, settings_of, several
 from nilas.errors import NilasError
 
 if TYPE_CHECKING:
@@ -172,11 +173,11 @@ def run(
     from nilas.results.run import Run
     from nilas.values import written
 
-    words = [os.fspath(scene), "--out", os.fspath(out), *options]
+    words = [path("scene", scene), "--out", path("out", out), *several("options", options)]
     if not echo:
         words.append("--quiet")
-    for path, value in (settings or {}).items():
-        words += ["--set", f"{path}={written(value)}"]
+    for place, value in settings_of(settings).items():
+        words += ["--set", f"{place}={written(value)}"]
     for option, number in (("--until", until), ("--seed", seed), ("--threads", threads)):
         if number is not None:
             words += [option, written(number)]

@@ -1,5 +1,6 @@
 """Runs of a scene within Python, step by step."""
 
+import math
 import numbers
 import os
 import pathlib
@@ -9,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from nilas import _core
+from nilas.arguments import number, whole
 from nilas.errors import InputError
 from nilas.names import unknown
 from nilas.scene.scene import Scene, Settings, checked
@@ -54,11 +56,11 @@ class Simulation:
         self.keep_table = keep_table
         self._core = _core.Simulation(
             self.scene,
-            threads=threads,
-            applied_loads=applied_loads,
+            threads=whole("threads", threads),
+            applied_loads=bool(applied_loads),
             folder=self.folder,
-            force=force,
-            keep_rows=keep_table,
+            force=bool(force),
+            keep_rows=bool(keep_table),
         )
 
     # Time
@@ -124,9 +126,9 @@ class Simulation:
         >>> simulation.run(callback=lambda s: s.steps >= 7).steps
         7
         """
-        half = 0.5 * self.scene.step
+        end = math.inf if until is None else number("until", until) - 0.5 * self.scene.step
         try:
-            while not self.is_done and (until is None or self.time < until - half):
+            while not self.is_done and self.time < end:
                 if callback is not None and callback(self):
                     break
                 self.step()

@@ -11,6 +11,7 @@ import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
 
+from nilas.arguments import several
 from nilas.names import unknown
 from nilas.results.folder import NoRun
 
@@ -170,7 +171,7 @@ class Contacts:
         self, file: h5py.File, first: int, last: int, columns: Sequence[str] | None
     ) -> pd.DataFrame:
         names = _names(file)
-        for column in columns or ():
+        for column in several("columns", columns or ()):
             if column not in names:
                 raise unknown(f"{self.file}: there is no column '{column}'", column, names)
         chosen = names if columns is None else list(columns)

@@ -9,6 +9,7 @@ from typing import Any, overload
 
 import pandas as pd
 
+from nilas.arguments import several
 from nilas.names import unknown
 from nilas.results.folder import NoRun, is_run
 from nilas.results.run import Run
@@ -104,8 +105,7 @@ class Runs(Sequence[Run]):
         Traceback (most recent call last):
         nilas.errors.UnknownName: No run has a figure 'ice_load.along.maen_N'; did you mean ice_load.along.mean_N, ...
         """
-        if isinstance(names, str):
-            raise TypeError(f"names is a list of names. Write figures(['{names}']).")
+        names = several("names", names)
         summaries = [run.summary for run in self if run.status not in _WITHOUT_SUMMARY]
         for name in names if summaries else []:
             if not any(has_figure(summary, name) for summary in summaries):

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import pandas as pd
 
+from nilas.arguments import several
 from nilas.names import unknown
 from nilas.results.folder import NoRun
 from nilas.results.units import units_of
@@ -144,9 +145,7 @@ def _with_time(columns: Sequence[str] | None, header: list[str], file: Path) -> 
     """The columns to read, with the time; None for all."""
     if columns is None:
         return None
-    if isinstance(columns, str):
-        raise TypeError(f"columns is a list of names. Write columns=['{columns}'].")
-    for column in columns:
+    for column in several("columns", columns):
         if column not in header:
             raise unknown(f"{file}: there is no column '{column}'", column, header, what="columns")
     return [TIME, *(column for column in columns if column != TIME)]

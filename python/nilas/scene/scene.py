@@ -7,6 +7,8 @@ from collections.abc import Mapping
 from typing import Any
 
 from nilas import _core
+from nilas.arguments import number, settings_of
+from nilas.arguments import path as path_of
 from nilas.errors import FileError, InputError
 from nilas.scene.element import Element
 from nilas.scene.path import read_path
@@ -80,7 +82,7 @@ class Scene(Element):
         >>> scene.find("body")["mass"]
         '2'
         """
-        for path, value in settings.items():
+        for path, value in settings_of(settings).items():
             elements, attribute = read_path(path)
             element: Element = self
             for step in elements:
@@ -132,7 +134,7 @@ def _element_of(tree: ElementTree.Element) -> Element:
 
 
 def _pairs(settings: Settings | None) -> list[tuple[str, str]]:
-    return [(path, written(value)) for path, value in (settings or {}).items()]
+    return [(path, written(value)) for path, value in settings_of(settings).items()]
 
 
 def checked(
@@ -151,4 +153,5 @@ def checked(
         if settings or scale != 1.0:
             raise InputError("A scene that is checked already takes no more settings.")
         return scene
-    return _core.CheckedScene.read(os.fspath(scene), _pairs(settings), scale)
+    file = path_of("scene", scene, "a nilas.Scene")
+    return _core.CheckedScene.read(file, _pairs(settings), number("scale", scale))

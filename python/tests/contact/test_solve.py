@@ -86,6 +86,10 @@ def test_a_guess_and_a_history():
         ({"guess": [1j, 0, 0]}, "guess is no array of real numbers; found list of complex128"),
         ({"guess": [[np.nan, 0, 0]]}, "not finite"),
         ({"threads": 0}, "at least 1"),
+        ({"threads": 1.5}, "threads is a whole number; found 1.5"),
+        ({"max_iterations": "9"}, "max_iterations is a whole number; found '9'"),
+        ({"tolerance": None}, "tolerance is a number; found None"),
+        ({"solver": 3}, "solver is a text; found 3"),
         ({"tolerance": -1.0}, "0 or above"),
     ],
 )
@@ -152,6 +156,13 @@ def test_a_longer_problem_forgets_its_solution(tmp_path):
     stored.add_contact(-1, [], body, np.eye(3), [0, 0, 0], 0.2)
     assert stored.solution is None
     assert nilas.solve(stored).converged
+
+
+def test_what_is_no_problem_is_named():
+    with pytest.raises(nilas.InputError, match="problem is a nilas.Problem or the path of a file; found None"):
+        nilas.solve(None)
+    with pytest.raises(nilas.InputError, match="found a dict"):
+        nilas.measure({}, [[0, 0, 0]])
 
 
 def test_a_missing_file_is_named(tmp_path):

@@ -138,6 +138,18 @@ def test_the_module_says_where_it_looked_for_the_program(tmp_path: Path) -> None
     assert done.stderr.startswith("error: NILAS_PROGRAM names") and "Traceback" not in done.stderr
 
 
+def test_a_single_text_is_no_list(small_scene: Path, small_run: nilas.Run) -> None:
+    """It would be taken letter by letter: verify(cases="A1") ran all cases of A."""
+    for call in (
+        lambda: nilas.verify(cases="A1"),
+        lambda: nilas.compare(small_scene, out="none", options="--budget 1"),
+        lambda: nilas.run(small_scene, out="none", options="--force"),
+        lambda: small_run.contacts.step(1, columns="fx_N"),
+    ):
+        with pytest.raises(nilas.InputError, match="is a list; write"):
+            call()
+
+
 def test_the_version_has_the_usual_name_too() -> None:
     assert nilas.__version__ == nilas.version()
     assert nilas.call("--version").output.split()[1].startswith(nilas.__version__)
@@ -164,5 +176,10 @@ def test_import_is_quick_and_names_are_listed() -> None:
     )
     assert done.stdout.strip() == "[]"
     assert set(nilas.__all__) <= set(dir(nilas))
+    code = "import nilas; print(nilas.study.main.__module__)"
+    done = subprocess.run(
+        [sys.executable, "-c", code], env=environment, capture_output=True, text=True, check=True
+    )
+    assert done.stdout.strip() == "nilas.study.command"
     with pytest.raises(AttributeError, match="Nilas has no 'ruin'. It has .*run"):
         _ = nilas.ruin

@@ -131,7 +131,7 @@ def test_a_figure_that_no_run_has_is_refused(own_folder: Path, small_folder: Pat
     with pytest.raises(nilas.UnknownName, match="No run has a figure 'only_her'; did you mean only_here") as caught:
         together.figures(["only_her"])
     assert "figures, from scene to " in str(caught.value)
-    with pytest.raises(TypeError, match=r"figures\(\['steps'\]\)"):
+    with pytest.raises(nilas.InputError, match=r"write names=\['steps'\]"):
         together.figures("steps")
     (own_folder / "summary.json").unlink()
     with pytest.warns(nilas.UnfinishedRun):

@@ -63,7 +63,7 @@ def test_unknown_columns_and_tables_are_named(small_run: nilas.Run) -> None:
         small_run.table("vessel", columns=["speed_m_s"])
     with pytest.raises(nilas.UnknownName, match="no table 'vessels'; did you mean vessel"):
         small_run.table("vessels")
-    with pytest.raises(TypeError, match=r"columns=\['x_m'\]"):
+    with pytest.raises(nilas.InputError, match=r"columns=\['x_m'\]"):
         small_run.table("vessel", columns="x_m")
     with pytest.raises(nilas.NoRun, match="no events.csv; runs where floes can break have it"):
         _ = small_run.events

@@ -282,6 +282,12 @@ def test_faults_say_what_is_allowed(tmp_path):
         simulation.vessel_table()
     with pytest.raises(nilas.FileError, match="no-such-scene.xml"):
         nilas.Simulation(tmp_path / "no-such-scene.xml")
+    with pytest.raises(nilas.InputError, match="scene is a nilas.Scene or the path of a file; found None"):
+        nilas.Simulation(None)
+    with pytest.raises(nilas.InputError, match="settings is a dict"):
+        nilas.Simulation(tmp_path / "scene.xml", settings=[("time/@end", 2)])
+    with pytest.raises(nilas.InputError, match="until is a number; found '3'"):
+        simulation.run(until="3")
     with pytest.raises(nilas.InputError, match="at least 1"):
         nilas.Simulation(balls(), threads=0)
     (tmp_path / "run").mkdir()
