@@ -1,10 +1,13 @@
 """The page of a study stands alone, and says what the numbers say."""
 
+import os
 import re
+import subprocess
+import sys
 from html.parser import HTMLParser
 
 import pytest
-from study_desk import STUDY
+from study_desk import PACKAGE, STAND_IN, STUDY
 
 from nilas.study.carry_out.records import Records
 from nilas.study.describe.plan import Plan
@@ -71,6 +74,31 @@ def test_the_page_is_the_same_each_time(desk):
     before = desk.table(name="study.html")
     desk.run("--collect", page=True)
     assert desk.table(name="study.html") == before
+
+
+def test_figures_of_the_user_keep_their_look(desk):
+    """A study may be carried out from a notebook, which draws in its own way."""
+    desk.write()
+    code = """
+import matplotlib, sys, nilas.study
+matplotlib.rcParams["font.size"] = 5
+before = matplotlib.rcParams.copy()
+code = nilas.study.main(["study.yaml", "--quiet", "--program", sys.argv[1]])
+assert dict(matplotlib.rcParams) == dict(before)
+assert "matplotlib.pyplot" not in sys.modules, "this chooses a backend"
+sys.exit(code)
+"""
+    answer = subprocess.run(
+        [sys.executable, "-c", code, str(STAND_IN)],
+        cwd=desk.folder,
+        env=os.environ | {"PYTHONPATH": str(PACKAGE), "MPLBACKEND": "svg"},
+        capture_output=True,
+        text=True,
+    )
+    assert answer.returncode == 0, answer.stderr
+    page = desk.table(name="study.html")
+    desk.run("--collect", page=True)
+    assert desk.table(name="study.html") == page
 
 
 def test_sentences_say_what_matters(desk):

@@ -5,13 +5,12 @@ from __future__ import annotations
 import html
 import io
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from typing import Any
 
 import matplotlib
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
+import matplotlib.style
 from matplotlib.axes import Axes
 from matplotlib.colors import LinearSegmentedColormap
 from matplotlib.figure import Figure
@@ -55,25 +54,29 @@ _STYLE: dict[str, Any] = {
 }
 
 
+@contextmanager
+def own_style() -> Iterator[None]:
+    """The look of the figures, while they are drawn: settings of the user are not touched."""
+    with matplotlib.rc_context():
+        matplotlib.rcdefaults()
+        matplotlib.style.use(_STYLE)
+        yield
+
+
 def figure(width: float, height: float, columns: int = 1, **more) -> tuple[Figure, list[Axes]]:
     """A figure [inches] with axes in a row."""
-    plt.style.use(_STYLE)
-    fig, axes = plt.subplots(
-        1, columns, figsize=(width, height), squeeze=False, layout="constrained", **more
-    )
-    return fig, list(axes[0])
+    fig = Figure(figsize=(width, height), layout="constrained")
+    return fig, list(fig.subplots(1, columns, squeeze=False, **more)[0])
 
 
 def grid_of_axes(count: int, sharey: bool = True) -> tuple[Figure, list[Axes]]:
     """Axes side by side, at most three in a row; those that are too many are removed."""
-    plt.style.use(_STYLE)
     columns = min(count, 3)
     lines = -(-count // columns)
     width = {1: 6.4, 2: 10.8, 3: 10.8}[columns]
     size = (width, 3.2 * lines + 0.2)
-    fig, axes = plt.subplots(
-        lines, columns, figsize=size, squeeze=False, sharey=sharey, layout="constrained"
-    )
+    fig = Figure(figsize=size, layout="constrained")
+    axes = fig.subplots(lines, columns, squeeze=False, sharey=sharey)
     flat = list(axes.flat)
     for spare in flat[count:]:
         spare.remove()
@@ -94,7 +97,6 @@ def svg_of(fig: Figure, rows: Sequence[Row] = (), title: str = "") -> str:
         pad_inches=0.06,
         metadata={"Date": None, "Creator": None},
     )
-    plt.close(fig)
     text = stream.getvalue()
     text = text[text.index("<svg") :]
     text = re.sub(r"<metadata>.*?</metadata>", "", text, flags=re.DOTALL)

@@ -12,6 +12,7 @@ from nilas.study.carry_out.record import write_whole
 from nilas.study.results.anova import Anova
 from nilas.study.results.bars import plot_seeds, plot_shares, plot_slopes, plot_sobol
 from nilas.study.results.collected import Collected
+from nilas.study.results.drawing import own_style
 from nilas.study.results.findings import findings, headline, with_interval
 from nilas.study.results.plots import plot_curves, plot_levels, plot_map
 from nilas.study.results.response_data import ResponseData, response_data
@@ -33,12 +34,14 @@ def write_page(collected: Collected) -> Path:
     )
     study = collected.plan.study
     data = [response_data(collected, place) for place in range(len(study.responses))]
+    with own_style():
+        sections = [_section(one) for one in data]
     text = environment.get_template("page.html").render(
         style=Markup((Path(__file__).parent / "page.css").read_text(encoding="utf-8")),
         study=study,
         headline=headline(collected),
         cards=_cards(collected),
-        responses=[_section(one) for one in data],
+        responses=sections,
         points=_points(collected),
         points_left_out=max(len(collected.plan.points) - _MOST_ROWS, 0),
         failed=collected.failed[:_MOST_FAILURES],
