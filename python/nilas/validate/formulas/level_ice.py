@@ -1,0 +1,180 @@
+"""Resistance in level ice and in brash-filled channels."""
+
+from __future__ import annotations
+
+import math
+
+from nilas.validate.formulas.formula import Condition, Formula, Input, gravity
+
+_SPEED = Input("speed", "m/s", "speed through the ice")
+_THICKNESS = Input("thickness", "m", "thickness of the ice")
+_BEAM = Input("beam", "m", "beam at the waterline")
+_LENGTH = Input("length", "m", "length at the waterline")
+_DRAUGHT = Input("draught", "m", "draught")
+_FRICTION = Input("friction", "1", "coefficient of friction between hull and ice", high=1.0)
+_STEM = Input("stem_angle", "rad", "angle of the stem from horizontal", high=math.pi / 2)
+_ENTRANCE = Input(
+    "entrance_angle", "rad", "half angle of the waterline at the stem", high=math.pi / 2
+)
+_STRENGTH = Input("flexural_strength", "Pa", "flexural strength of the ice")
+_MODULUS = Input("youngs_modulus", "Pa", "Young's modulus of the ice")
+_POISSON = Input("poisson", "1", "Poisson's ratio of the ice", high=0.5, default=0.3)
+_WATER_DENSITY = Input("water_density", "kg/m^3", "density of the water")
+_ICE_DENSITY = Input("ice_density", "kg/m^3", "density of the ice")
+
+
+def normal_angle(stem_angle: float, entrance_angle: float) -> float:
+    """The angle of the bow's normal from vertical [rad], psi = atan(tan phi / sin alpha)."""
+    return math.atan(math.tan(stem_angle) / math.sin(entrance_angle))
+
+
+def lindqvist_parts(
+    *,
+    thickness: float,
+    beam: float,
+    length: float,
+    draught: float,
+    friction: float,
+    stem_angle: float,
+    entrance_angle: float,
+    flexural_strength: float,
+    youngs_modulus: float,
+    poisson: float,
+    water_density: float,
+    ice_density: float,
+    gravity: float,
+) -> tuple[float, float, float]:
+    """Crushing at the stem, breaking by bending, and submersion [N], all at no speed."""
+    psi = normal_angle(stem_angle, entrance_angle)
+    mu, sigma, h = friction, flexural_strength, thickness
+    sine, cosine, tangent = math.sin(stem_angle), math.cos(stem_angle), math.tan(stem_angle)
+    slide = mu * cosine / math.cos(psi)
+    crushing = 0.5 * sigma * h**2 * (tangent + slide) / (1 - mu * sine / math.cos(psi))
+    foundation = math.sqrt(youngs_modulus / (12 * (1 - poisson**2) * water_density * gravity))
+    breaking = 27 / 64 * sigma * beam * h**1.5 / foundation
+    breaking *= math.tan(psi) + slide / math.sin(entrance_angle)
+    breaking *= 1 + 1 / math.cos(psi)
+    under = 0.7 * length - draught / tangent - beam / (4 * math.tan(entrance_angle))
+    slope = math.sqrt(1 / sine**2 + 1 / math.tan(entrance_angle) ** 2)
+    under += draught * cosine * math.cos(psi) * slope
+    lost = draught * (beam + draught) / (beam + 2 * draught)
+    weight = (water_density - ice_density) * gravity * h * beam
+    return crushing, breaking, weight * (lost + mu * under)
+
+
+def _lindqvist(speed: float, **values: float) -> float:
+    crushing, breaking, submersion = lindqvist_parts(**values)
+    fast = speed / math.sqrt(values["gravity"] * values["thickness"])
+    slow = speed / math.sqrt(values["gravity"] * values["length"])
+    return (crushing + breaking) * (1 + 1.4 * fast) + submersion * (1 + 9.4 * slow)
+
+
+def _riska(
+    speed: float,
+    thickness: float,
+    beam: float,
+    length: float,
+    draught: float,
+    stem_angle: float,
+    parallel_length: float,
+    bow_length: float,
+) -> float:
+    degrees = math.degrees(stem_angle)
+    side = 230 * beam * parallel_length * thickness / (2 * draught / beam + 1)
+    bow = 4580 * beam * thickness**2 + 1470 * bow_length * thickness**2
+    bow += 290 * beam * bow_length * thickness
+    still = side + (1 + 0.021 * degrees) * bow
+    moving = (1 + 0.063 * degrees) * (18900 * thickness**1.5 + 670 * beam * thickness)
+    moving += 1550 * thickness * (1 + 1.2 * draught / beam) * beam**2 / math.sqrt(length)
+    return still + moving * speed
+
+
+def brash_thickness(channel_thickness: float, beam: float) -> float:
+    """Thickness [m] of the brash that the bow pushes aside, 0.26 + sqrt(H_M B)."""
+    return 0.26 + math.sqrt(channel_thickness * beam)
+
+
+def _brash_channel(
+    channel_thickness: float,
+    beam: float,
+    length: float,
+    draught: float,
+    parallel_length: float,
+    stem_angle: float,
+    entrance_angle: float,
+    bow_flare: float,
+    bow_area: float,
+) -> float:
+    psi = math.atan(math.tan(bow_flare) / math.sin(entrance_angle))
+    friction = 0.15 * math.cos(stem_angle) + math.sin(psi) * math.sin(entrance_angle)
+    friction = max(friction, 0.45)
+    degrees = math.degrees(psi)
+    spread = 0.047 * degrees - 2.115 if degrees > 45 else 0.0
+    pushed = brash_thickness(channel_thickness, beam)
+    bow = 845 * friction * (pushed + channel_thickness) ** 2 * (beam + spread * pushed)
+    side = 42 * parallel_length * pushed**2
+    waves = 825 * (length * draught / beam**2) ** 3 * bow_area / length
+    return bow + side + waves
+
+
+_MERCHANT_SHIPS = "The rules hold for merchant ships of 65 to 250 m; the model is far smaller."
+
+
+def _is_ship(values) -> bool:
+    return 65 <= values["length"] <= 250 and 11 <= values["beam"] <= 40
+
+
+LEVEL_ICE = (
+    Formula(
+        "lindqvist",
+        "Lindqvist",
+        "mean resistance in level ice",
+        "N",
+        "Lindqvist (1989), POAC",
+        "the structure in a public calculator of ice resistance, whose brackets are wrong; "
+        "brackets and constants were not confirmed in the paper",
+        (
+            _SPEED, _THICKNESS, _BEAM, _LENGTH, _DRAUGHT, _FRICTION, _STEM, _ENTRANCE, _STRENGTH,
+            _MODULUS, _POISSON, _WATER_DENSITY, _ICE_DENSITY, gravity(),
+        ),  # fmt: skip
+        _lindqvist,
+        doubt="Brackets and constants were not confirmed in the paper.",
+    ),
+    Formula(
+        "riska",
+        "Riska (FSICR level ice)",
+        "mean resistance in level ice",
+        "N",
+        "Riska et al. (1997), in the Finnish-Swedish ice class rules",
+        "a public function of a routing program",
+        (
+            _SPEED, _THICKNESS, _BEAM, _LENGTH, _DRAUGHT, _STEM,
+            Input("parallel_length", "m", "length of the parallel midbody"),
+            Input("bow_length", "m", "length of the bow"),
+        ),  # fmt: skip
+        _riska,
+        # Its speed terms have constants with dimensions that do not scale.
+        conditions=(Condition(_MERCHANT_SHIPS, _is_ship),),
+        similar=False,
+    ),
+    Formula(
+        "fsicr-channel",
+        "FSICR brash channel",
+        "resistance in a channel of brash ice at 5 knots",
+        "N",
+        "Finnish-Swedish ice class rules",
+        "no text that could be opened",
+        (
+            Input("channel_thickness", "m", "thickness of the brash in the channel"),
+            _BEAM, _LENGTH, _DRAUGHT,
+            Input("parallel_length", "m", "length of the parallel midbody"),
+            _STEM, _ENTRANCE,
+            Input("bow_flare", "rad", "rake of the bow at a quarter of the beam"),
+            Input("bow_area", "m^2", "area of the waterplane of the bow"),
+        ),  # fmt: skip
+        _brash_channel,
+        conditions=(Condition(_MERCHANT_SHIPS, _is_ship),),
+        doubt="No constant was confirmed in the rules.",
+        similar=False,
+    ),
+)
