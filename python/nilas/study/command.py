@@ -3,16 +3,14 @@
 from __future__ import annotations
 
 import argparse
-import fcntl
-import os
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Sequence
 from pathlib import Path
 
 from nilas.study.carry_out.launch import INTERRUPTED, Launcher
+from nilas.study.carry_out.lock import only_one
 from nilas.study.carry_out.progress import Progress
 from nilas.study.carry_out.provenance import find_program
-from nilas.study.carry_out.queue import Queue
+from nilas.study.carry_out.queue import Queue, queue_of
 from nilas.study.carry_out.records import Records
 from nilas.study.carry_out.scene_check import check_scene
 from nilas.study.carry_out.schedule import Outcome, Scheduler
@@ -29,10 +27,6 @@ from nilas.study.words import duration
 
 _DONE = 0
 _RUNS_FAILED = 3
-# Exit codes of runs that another try may mend: a file that could not be written, a program that
-# could not be started, a signal from outside such as that of a machine without memory.
-_WORTH_ANOTHER_TRY = {4, 126, 127}
-_SIGNAL = 128
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -91,7 +85,7 @@ def _carry_out(options: argparse.Namespace) -> int:
         return _DONE if options.collect == "without-judgement" else code
     if options.run or options.part:
         return _one_job(plan, options)
-    with _only_one(plan):
+    with only_one(plan.study.out, "study.lock"):
         return _whole_study(plan, options)
 
 
@@ -155,26 +149,7 @@ def _queue(
     options: argparse.Namespace,
 ) -> Queue:
     """The runs to make. Runs of another scene, or that failed by chance, are forgotten first."""
-    plan.make_folders()
-    queue = Queue(plan, records, points, launcher.key)
-    if queue.stale and not options.force:
-        raise StudyError(
-            f"{len(queue.stale)} finished runs in {plan.study.out} were made of another "
-            f"scene or of other "
-            f"values of 'set', for example {queue.stale[0].name}. Choose another folder "
-            f"with --out, or "
-            "make them again with --force."
-        )
-    again = list(queue.stale)
-    for run, record in queue.failed_runs:
-        by_chance = record.exit_code in _WORTH_ANOTHER_TRY or record.exit_code > _SIGNAL
-        if options.retry_failed or by_chance:
-            again.append(run)
-    if not again:
-        return queue
-    for run in again:
-        records.forget(run)
-    return Queue(plan, records, points, launcher.key)
+    return queue_of(plan, records, points, launcher.key, options.force, options.retry_failed)
 
 
 def _write_part(plan: Plan, records: Records, points: list[Point]) -> None:
@@ -212,22 +187,6 @@ def _account(outcome: Outcome) -> str:
         f"Processor time {duration(outcome.processor_s)}, efficiency {outcome.efficiency:.2f} on "
         f"{outcome.slots} at a time. Places were free for {outcome.idle_s:.2f} s while runs waited."
     )
-
-
-@contextmanager
-def _only_one(plan: Plan) -> Iterator[None]:
-    """Keeps a second process out of the study's folder."""
-    plan.study.out.mkdir(parents=True, exist_ok=True)
-    with open(plan.study.out / "study.lock", "w") as lock:
-        try:
-            fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        except OSError as error:
-            raise StudyError(
-                f"Another process is carrying out the study in {plan.study.out}.", 4
-            ) from error
-        lock.write(str(os.getpid()))
-        lock.flush()
-        yield
 
 
 def _parser() -> argparse.ArgumentParser:

@@ -9,6 +9,11 @@ import pytest
 from nilas.study import main, needs
 from study_desk import STAND_IN, STUDY
 
+from nilas.study.carry_out.launch import Launcher
+from nilas.study.carry_out.progress import Progress
+from nilas.study.carry_out.queue import queue_of
+from nilas.study.carry_out.records import Records
+from nilas.study.carry_out.schedule import Scheduler
 from nilas.study.describe.plan import Plan
 from nilas.study.describe.read_study import read_study
 
@@ -414,3 +419,31 @@ def test_each_record_says_what_made_the_run(desk):
     assert origin["machine"]["name"] and origin["machine"]["cores"] >= 1
     assert origin["command"][1] == "run" and "test/@x=1" in origin["command"]
     assert record["overrides"] == {"test/@x": "1", "test/@y": "0"}
+
+
+def test_a_scale_is_given_to_the_program_as_its_flag(desk):
+    desk.write(STUDY.replace("test/@y: [0, 1]", "--scale: [1, 16]"))
+    code, text = desk.run("-j", "3")
+    assert code == 0, text
+    assert desk.table().splitlines()[0] == "run,point,x,scale,seed,status,exit_code,message,load"
+    for name, record in records(desk).items():
+        words = record["provenance"]["command"]
+        scale = words[words.index("--scale") + 1]
+        assert f"scale-{scale}" in name
+        assert not any(word.startswith("--scale=") for word in words)
+
+
+def test_a_session_that_is_out_of_time_stops_and_can_go_on(desk):
+    desk.write(SLOW)
+    plan = Plan(read_study(desk.folder / "study.yaml", desk.folder / "runs/trial"))
+    plan.make_folders()
+    found, launcher = Records(plan), Launcher(plan, STAND_IN)
+    queue = queue_of(plan, found, plan.points, launcher.key, False, False)
+    ends_at = time.monotonic() + 1.3
+    outcome = Scheduler(queue, found, launcher, 1, Progress(0, True), ends_at).carry_out()
+    assert outcome.out_of_time and outcome.interrupted and 1 <= outcome.ran < 12
+    # Runs of half a second: the one under way stored its state and stopped.
+    assert time.monotonic() < ends_at + 10
+    code, text = desk.run("-j", "3")
+    assert code == 0, text
+    assert len(records(desk)) == 12

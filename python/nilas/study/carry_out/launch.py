@@ -28,6 +28,7 @@ from nilas.study.carry_out.provenance import (
 from nilas.study.carry_out.record import BEGUN, Record, flat_numbers, write_whole
 from nilas.study.carry_out.records import column_key
 from nilas.study.describe.plan import Plan, Run
+from nilas.study.describe.read_factors import RUN_FLAGS
 from nilas.study.describe.study import Response
 
 INTERRUPTED = 130
@@ -90,8 +91,7 @@ class Launcher:
         ]
         if study.run.checkpoint_every:
             words += ["--checkpoint-every", f"{study.run.checkpoint_every:g}"]
-        settings = [f"{path}={value}" for path, value in self.overrides(run).items()]
-        return words + (["--set", *settings] if settings else [])
+        return words + override_words(self.overrides(run))
 
     def start(self, run: Run) -> Child:
         """Starts a run: from its newest checkpoint if it was interrupted, else from nothing."""
@@ -248,6 +248,19 @@ class Launcher:
                 shutil.rmtree(path, ignore_errors=True)
             elif path.name not in kept:
                 path.unlink(missing_ok=True)
+
+
+def override_words(overrides: dict[str, str]) -> list[str]:
+    """Overrides as words of a command line: flags of ``nilas run`` first, then ``--set``.
+
+    >>> override_words({"time/@end": "5", "--scale": "16"})
+    ['--scale', '16', '--set', 'time/@end=5']
+    """
+    flags = [
+        word for path, value in overrides.items() if path in RUN_FLAGS for word in (path, value)
+    ]
+    settings = [f"{path}={value}" for path, value in overrides.items() if path not in RUN_FLAGS]
+    return flags + (["--set", *settings] if settings else [])
 
 
 def _prepare_child() -> None:

@@ -9,9 +9,15 @@ from collections.abc import Callable
 from nilas.study.carry_out.record import Record
 from nilas.study.carry_out.records import Records, response_value
 from nilas.study.carry_out.stopping import seeds_wanted
+from nilas.study.describe.faults import StudyError
 from nilas.study.describe.plan import Plan, Run
 from nilas.study.describe.points import Point
 from nilas.study.describe.study import Response
+
+# Exit codes of runs that another try may mend: a file that could not be written, a program that
+# could not be started, a signal from outside such as that of a machine without memory.
+_WORTH_ANOTHER_TRY = {4, 126, 127}
+_SIGNAL = 128
 
 
 class Queue:
@@ -151,3 +157,38 @@ class Queue:
     def _count(self, failed: bool) -> None:
         self.failed += failed
         self.done += not failed
+
+
+def queue_of(
+    plan: Plan,
+    records: Records,
+    points: list[Point],
+    key_of: Callable[[Run], str],
+    force: bool,
+    retry_failed: bool,
+) -> Queue:
+    """The runs to make. Runs of another scene, or that failed by chance, are forgotten first.
+
+    Without ``force``, runs of another scene raise ``StudyError``. With ``retry_failed`` all failed
+    runs are made again.
+    """
+    plan.make_folders()
+    queue = Queue(plan, records, points, key_of)
+    if queue.stale and not force:
+        raise StudyError(
+            f"{len(queue.stale)} finished runs in {plan.study.out} were made of another "
+            f"scene or of other "
+            f"values of 'set', for example {queue.stale[0].name}. Choose another folder "
+            f"with --out, or "
+            "make them again with --force."
+        )
+    again = list(queue.stale)
+    for run, record in queue.failed_runs:
+        by_chance = record.exit_code in _WORTH_ANOTHER_TRY or record.exit_code > _SIGNAL
+        if retry_failed or by_chance:
+            again.append(run)
+    if not again:
+        return queue
+    for run in again:
+        records.forget(run)
+    return Queue(plan, records, points, key_of)

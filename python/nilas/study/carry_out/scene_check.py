@@ -8,7 +8,7 @@ import xml.etree.ElementTree as ElementTree
 from collections.abc import Iterator
 from pathlib import Path
 
-from nilas.study.carry_out.launch import Launcher
+from nilas.study.carry_out.launch import Launcher, override_words
 from nilas.study.carry_out.outputs import Outputs, faults_of, outputs_of
 from nilas.study.describe.factor import Factor, Level
 from nilas.study.describe.faults import StudyError
@@ -88,8 +88,7 @@ def _tried(launcher: Launcher, values: dict[str, str]) -> Outputs | None:
     with tempfile.TemporaryDirectory(prefix="nilas-study-") as folder:
         command = [str(launcher.program), "run", str(scene), "--out", folder, "--force", "--quiet"]
         command += ["--until", repr(_start(scene, values) + _ONE_STEP)]
-        settings = [f"{path}={value}" for path, value in values.items()]
-        command += ["--set", *settings] if settings else []
+        command += override_words(values)
         try:
             answer = subprocess.run(command, capture_output=True, timeout=_LONGEST_TRIAL_S)
         except subprocess.TimeoutExpired:
@@ -117,8 +116,5 @@ def _told(plan: Plan, factor: Factor, level: Level, text: str) -> str:
 def _faults(launcher: Launcher, values: dict[str, str]) -> str:
     """What the program says against the scene with these values, or nothing."""
     command = [str(launcher.program), "check", str(launcher.plan.study.scene), "--quiet"]
-    settings = [f"{path}={value}" for path, value in values.items()]
-    answer = subprocess.run(
-        command + (["--set", *settings] if settings else []), capture_output=True, text=True
-    )
+    answer = subprocess.run(command + override_words(values), capture_output=True, text=True)
     return "" if answer.returncode == 0 else answer.stderr.strip() or answer.stdout.strip()

@@ -17,11 +17,13 @@ _SIGNALS = {signal.SIGINT, signal.SIGTERM, signal.SIGCHLD}
 
 @dataclass
 class Outcome:
-    """What a session did. ``idle_s``: time in which a place was free although runs waited."""
+    """What a session did. ``idle_s``: time in which a place was free although runs waited.
+    ``out_of_time``: whether it was stopped because its time was used up."""
 
     ran: int = 0
     failed: int = 0
     interrupted: bool = False
+    out_of_time: bool = False
     wall_s: float = 0.0
     processor_s: float = 0.0
     idle_s: float = 0.0
@@ -41,8 +43,15 @@ class Scheduler:
     """
 
     def __init__(
-        self, queue: Queue, records: Records, launcher: Launcher, slots: int, progress: Progress
+        self,
+        queue: Queue,
+        records: Records,
+        launcher: Launcher,
+        slots: int,
+        progress: Progress,
+        ends_at: float | None = None,
     ) -> None:
+        """``ends_at``: the time of ``time.monotonic`` at which runs are stopped as by Ctrl-C."""
         self.queue = queue
         self.records = records
         self.launcher = launcher
@@ -51,6 +60,7 @@ class Scheduler:
         self._children: dict[int, Child] = {}
         self._freed: list[float] = []
         self._limit_s = launcher.plan.study.run.limit_s
+        self._ends_at = ends_at
 
     def carry_out(self) -> Outcome:
         """Runs until nothing is left, or until Ctrl-C or SIGTERM. Records are then on disk."""
@@ -70,6 +80,7 @@ class Scheduler:
 
     def _fill(self) -> None:
         """Starts runs until all places are taken."""
+        self._watch_the_clock()
         while not self.outcome.interrupted and len(self._children) < self.outcome.slots:
             run = self.queue.next()
             if run is None:
@@ -84,6 +95,7 @@ class Scheduler:
         got = signal.sigtimedwait(_SIGNALS, self._time_left())
         if got is not None and got.si_signo in (signal.SIGINT, signal.SIGTERM):
             self._stop()
+        self._watch_the_clock()
         self._end_slow()
         self._reap()
 
@@ -125,6 +137,13 @@ class Scheduler:
         if self.launcher.faults and not self.outcome.interrupted:
             self._stop()
 
+    def _watch_the_clock(self) -> None:
+        """Stops the runs once the time of the session is used up."""
+        if self._ends_at is None or self.outcome.interrupted or time.monotonic() < self._ends_at:
+            return
+        self.outcome.out_of_time = True
+        self._stop()
+
     def _stop(self) -> None:
         """The first request lets runs write their checkpoints. The second ends them at once."""
         if self.outcome.interrupted:
@@ -140,11 +159,14 @@ class Scheduler:
             _send(child, signal.SIGINT)
 
     def _time_left(self) -> float:
-        """Seconds until the next run is too slow, or a long time."""
-        if self._limit_s is None or not self._children:
-            return 3600.0
-        oldest = min(child.started for child in self._children.values())
-        return min(max(oldest + self._limit_s - time.time(), 0.05), 3600.0)
+        """Seconds until the next run is too slow or the session ends, or a long time."""
+        left = 3600.0
+        if self._limit_s is not None and self._children:
+            oldest = min(child.started for child in self._children.values())
+            left = min(left, oldest + self._limit_s - time.time())
+        if self._ends_at is not None and not self.outcome.interrupted:
+            left = min(left, self._ends_at - time.monotonic())
+        return max(left, 0.05)
 
     def _end_slow(self) -> None:
         if self._limit_s is None:

@@ -12,17 +12,21 @@ from nilas.study.describe.yaml_items import Item
 FACTOR_KEYS = (
     "name", "unit", "also", "values", "from", "to", "steps", "scale", "whole"
 )  # fmt: skip
+# Flags of ``nilas run`` that stand where a path of an attribute may.
+RUN_FLAGS = ("--scale",)
 _PATH = re.compile(r"^/?[\w\[\]@='\"+./ *-]*@[A-Za-z_]\w*$")
 _NAME = re.compile(r"^[A-Za-z]\w*$")
 
 
 def is_path(text: str) -> bool:
-    """Whether a text has the form of an attribute's path.
+    """Whether a text has the form of an attribute's path, or is a flag that may stand for one.
 
     >>> is_path("vessel/carriage/@speed"), is_path("body[@name='box']/@mass"), is_path("speed")
     (True, True, False)
+    >>> is_path("--scale")
+    True
     """
-    return bool(_PATH.match(text))
+    return text in RUN_FLAGS or bool(_PATH.match(text))
 
 
 def read_factors(item: Item | None, faults: Faults) -> tuple[Factor, ...]:
@@ -209,8 +213,8 @@ def read_overrides(item: Item | None, where: str, faults: Faults) -> tuple[tuple
 
 
 def default_name(path: str) -> str:
-    """The attribute's name."""
-    return path.rsplit("@", 1)[-1]
+    """The attribute's name, or that of a flag."""
+    return path.rsplit("@", 1)[-1].lstrip("-")
 
 
 def _tell_no_path(line: int, where: str, text: str, faults: Faults) -> None:

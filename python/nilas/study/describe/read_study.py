@@ -51,20 +51,32 @@ def read_study(file: str | Path, out: str | Path | None = None) -> Study:
     faults = Faults(str(file))
     item = read_items(path, faults)
     faults.throw()
-    top = Section(item, "", TOP_KEYS, faults)
-    name = top.text("name", path.stem)
+    study = study_of(item, "", path, faults, out)
+    faults.throw()
+    return study
+
+
+def study_of(
+    item: Item | None, where: str, file: Path, faults: Faults, out: str | Path | None = None
+) -> Study:
+    """The study that an item of a file describes. Faults are added, with keys below ``where``.
+
+    With faults the study is not complete, and must not be carried out.
+    """
+    top = Section(item, where, TOP_KEYS, faults)
+    name = top.text("name", file.stem)
     if not _NAME.match(name):
         top.fault("name", f"'{name}' is no name: letters, digits and . _ - are allowed.")
     factors = read_factors(top.item("factors"), faults)
     responses = read_responses(top, {factor.name for factor in factors}, faults)
     study = Study(
-        file=path.absolute(),
+        file=file.absolute(),
         name=name,
-        scene=_scene(top, path),
+        scene=_scene(top, file),
         out=Path(out or top.text("out", f"runs/{name}")).absolute(),
         overrides=read_overrides(top.item("set"), "set", faults),
         factors=factors,
-        design=_design(top.item("design"), path, factors, faults),
+        design=_design(top.item("design"), file, factors, faults),
         seeds=_seeds(top.item("seeds"), responses, faults),
         responses=responses,
         run=_run(top.item("run"), faults),
@@ -76,7 +88,6 @@ def read_study(file: str | Path, out: str | Path | None = None) -> Study:
             "run.keep",
             "'nothing' needs job.points, whose parts hold the records.",
         )
-    faults.throw()
     return study
 
 
