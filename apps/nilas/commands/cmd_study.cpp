@@ -41,37 +41,48 @@ std::string interpreter() {
   return fs::exists("/usr/bin/python3") ? "/usr/bin/python3" : "python3";
 }
 
-/// Becomes the study of the Python package.
-[[noreturn]] void become_study(const std::vector<std::string>& words) {
+/// Becomes a module of the Python package.
+[[noreturn]] void become_module(const std::string& module, const std::vector<std::string>& words) {
   const fs::path program = own_file();
   if (const fs::path folder = package_folder(program); !folder.empty()) {
     const char* known = std::getenv("PYTHONPATH");
     set("PYTHONPATH", folder.string() + (known ? ":" + std::string(known) : std::string()));
   }
   set("NILAS_PROGRAM", program.string());
-  std::vector<std::string> all{interpreter(), "-m", "nilas.study"};
+  std::vector<std::string> all{interpreter(), "-m", module};
   all.insert(all.end(), words.begin(), words.end());
   std::vector<char*> arguments;
   arguments.reserve(all.size() + 1);
   for (std::string& word : all) arguments.push_back(word.data());
   arguments.push_back(nullptr);
   ::execvp(arguments[0], arguments.data());
-  throw FileError("studies need Python 3.11 with the package nilas, and " + all[0] +
+  throw FileError(module + " needs Python 3.11 with the package nilas, and " + all[0] +
                   " cannot be started; NILAS_PYTHON may name another interpreter");
+}
+
+/// A command whose words all go to a module of the Python package.
+void add_module(CLI::App& app, Action& action, const std::string& name, const std::string& meaning) {
+  auto* command = app.add_subcommand(name, meaning);
+  command->prefix_command();
+  command->set_help_flag();
+  command->callback([&action, command, module = "nilas." + name] {
+    const std::vector<std::string> words = command->remaining();
+    action = [module, words]() -> int { become_module(module, words); };
+  });
 }
 
 }  // namespace
 
 void add_study(CLI::App& app, Action& action) {
-  auto* command = app.add_subcommand(
-      "study",
+  add_module(
+      app, action, "study",
       "Carries out a study: many runs of a scene over factors and seeds. `nilas study --help` lists its options.");
-  command->prefix_command();
-  command->set_help_flag();
-  command->callback([&action, command] {
-    const std::vector<std::string> words = command->remaining();
-    action = [words]() -> int { become_study(words); };
-  });
+}
+
+void add_validate(CLI::App& app, Action& action) {
+  add_module(app, action, "validate",
+             "Judges loads by published formulas, measured runs and scale laws. `nilas validate --help` lists its "
+             "options.");
 }
 
 }  // namespace nilas::commands

@@ -447,3 +447,13 @@ def test_a_session_that_is_out_of_time_stops_and_can_go_on(desk):
     code, text = desk.run("-j", "3")
     assert code == 0, text
     assert len(records(desk)) == 12
+
+
+def test_runs_that_vary_in_their_start_have_the_ice_of_the_scene(desk):
+    desk.write(STUDY.replace("seeds: 2", "seeds: {count: 2, vary: start}"))
+    plan = Plan(read_study(desk.folder / "study.yaml", desk.folder / "runs/trial"))
+    launcher = Launcher(plan, STAND_IN)
+    first, second = plan.runs(plan.points[0])
+    assert "--seed" not in launcher.command(first)
+    assert "seed/@twin=1" in launcher.command(first) and "seed/@twin=2" in launcher.command(second)
+    assert launcher.key(first) != launcher.key(second)

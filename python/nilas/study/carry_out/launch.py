@@ -74,21 +74,20 @@ class Launcher:
         return hashlib.sha256(made_of.encode()).hexdigest()[:24]
 
     def overrides(self, run: Run) -> dict[str, str]:
-        """The values of ``--set``: those of the study, then those of the point."""
-        return dict(self.plan.study.overrides) | dict(run.point.overrides)
+        """The values of ``--set``: those of the study, then those of the point.
+
+        A replicate with the ice of the scene has its number as that of the perturbed run.
+        """
+        own = {"seed/@twin": str(run.seed)} if self.plan.study.seeds.perturbed else {}
+        return dict(self.plan.study.overrides) | dict(run.point.overrides) | own
 
     def command(self, run: Run) -> list[str]:
         """The command that makes a run from its beginning."""
         study = self.plan.study
         words = [str(self.program), "run", str(study.scene), "--out", str(self.plan.folder(run))]
-        words += [
-            "--force",
-            "--quiet",
-            "--seed",
-            str(run.seed),
-            "--threads",
-            str(study.run.threads),
-        ]
+        words += ["--force", "--quiet", "--threads", str(study.run.threads)]
+        if not study.seeds.perturbed:
+            words += ["--seed", str(run.seed)]
         if study.run.checkpoint_every:
             words += ["--checkpoint-every", f"{study.run.checkpoint_every:g}"]
         return words + override_words(self.overrides(run))

@@ -29,7 +29,7 @@ TOP_KEYS = (
     "name", "scene", "out", "set", "factors", "design", "seeds", "responses", "run", "job"
 )  # fmt: skip
 DESIGN_KEYS = ("kind", "points", "seed", "rows", "file")
-SEEDS_KEYS = ("count", "first", "each_point", "until")
+SEEDS_KEYS = ("count", "first", "each_point", "until", "vary")
 UNTIL_KEYS = ("response", "relative_error", "most")
 RUN_KEYS = ("threads", "checkpoint_every", "limit_s", "keep")
 JOB_KEYS = ("points", "memory_mb", "minutes")
@@ -210,7 +210,8 @@ def _seeds(item: Item | None, responses: tuple[Response, ...], faults: Faults) -
     if own and section.has("first"):
         section.fault("first", "Points with seeds of their own have no first seed.")
     until = _until(section.item("until"), count, responses, faults)
-    return Seeds(count, section.whole("first", 1), own=own, until=until)
+    perturbed = section.choice("vary", ("ice", "start"), "ice") == "start"
+    return Seeds(count, section.whole("first", 1), own=own, until=until, perturbed=perturbed)
 
 
 def _until(

@@ -34,13 +34,16 @@ class Until:
 
 @dataclass(frozen=True)
 class Seeds:
-    """The replicates of each point. ``chosen``: seeds that are listed one by one."""
+    """The replicates of each point. ``chosen``: seeds that are listed one by one.
+    ``perturbed``: replicates have the same ice, and starts that differ by 1e-12 m.
+    """
 
     count: int = 1
     first: int = 1
     chosen: tuple[int, ...] = ()
     own: bool = False
     until: Until | None = None
+    perturbed: bool = False
 
 
 @dataclass(frozen=True)

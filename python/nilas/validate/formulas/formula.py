@@ -47,8 +47,9 @@ class Condition:
 class Formula:
     """A formula that gives ``result``, in ``unit``.
 
-    ``source``: who published it. ``read_in``: where its constants were read. ``doubt``: why no verdict
-    rests on it, or nothing. ``similar``: whether it keeps Froude's and Cauchy's laws exactly.
+    ``source``: who published it. ``read_in``: where its constants were read. ``doubt``: why no
+    verdict rests on its values, or nothing. ``slopes_count``: whether its exponents are confirmed
+    all the same. ``similar``: whether it keeps Froude's and Cauchy's laws exactly.
     """
 
     name: str
@@ -61,7 +62,12 @@ class Formula:
     function: Callable[..., float] = field(repr=False)
     conditions: tuple[Condition, ...] = ()
     doubt: str = ""
+    slopes_count: bool = False
     similar: bool = True
+
+    @property
+    def counts_for_slopes(self) -> bool:
+        return self.slopes_count or not self.doubt
 
     def needs(self) -> list[str]:
         """Names of the inputs that have no default."""
@@ -105,7 +111,8 @@ class Formula:
             if not one.low <= value <= one.high:
                 unit = "" if one.unit == "1" else f" {one.unit}"
                 reasons.append(
-                    f"{one.name} is {value:.4g}{unit}, and the range is {one.low:g} to {one.high:g}."
+                    f"{one.name} is {value:.4g}{unit}, and the range is "
+                    f"{one.low:g} to {one.high:g}."
                 )
         reasons += [one.text for one in self.conditions if not one.holds(taken)]
         return reasons

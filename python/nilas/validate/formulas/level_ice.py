@@ -69,6 +69,12 @@ def _lindqvist(speed: float, **values: float) -> float:
     return (crushing + breaking) * (1 + 1.4 * fast) + submersion * (1 + 9.4 * slow)
 
 
+def _submersion(speed: float, **values: float) -> float:
+    # Breaking and crushing vanish with the strength, and do not depend on it otherwise.
+    soft = {"flexural_strength": 0.0, "youngs_modulus": 1.0, "poisson": 0.0}
+    return _lindqvist(speed, **values, **soft)
+
+
 def _riska(
     speed: float,
     thickness: float,
@@ -134,11 +140,48 @@ LEVEL_ICE = (
         "the structure in a public calculator of ice resistance, whose brackets are wrong; "
         "brackets and constants were not confirmed in the paper",
         (
-            _SPEED, _THICKNESS, _BEAM, _LENGTH, _DRAUGHT, _FRICTION, _STEM, _ENTRANCE, _STRENGTH,
-            _MODULUS, _POISSON, _WATER_DENSITY, _ICE_DENSITY, gravity(),
+            _SPEED,
+            _THICKNESS,
+            _BEAM,
+            _LENGTH,
+            _DRAUGHT,
+            _FRICTION,
+            _STEM,
+            _ENTRANCE,
+            _STRENGTH,
+            _MODULUS,
+            _POISSON,
+            _WATER_DENSITY,
+            _ICE_DENSITY,
+            gravity(),
         ),  # fmt: skip
         _lindqvist,
         doubt="Brackets and constants were not confirmed in the paper.",
+        slopes_count=True,
+    ),
+    Formula(
+        "lindqvist-submersion",
+        "Lindqvist, submersion alone",
+        "mean resistance in ice that is cut already",
+        "N",
+        "Lindqvist (1989), POAC",
+        "as lindqvist",
+        (
+            _SPEED,
+            _THICKNESS,
+            _BEAM,
+            _LENGTH,
+            _DRAUGHT,
+            _FRICTION,
+            _STEM,
+            _ENTRANCE,
+            _WATER_DENSITY,
+            _ICE_DENSITY,
+            gravity(),
+        ),  # fmt: skip
+        _submersion,
+        doubt="Brackets and constants were not confirmed in the paper.",
+        slopes_count=True,
     ),
     Formula(
         "riska",
@@ -148,7 +191,12 @@ LEVEL_ICE = (
         "Riska et al. (1997), in the Finnish-Swedish ice class rules",
         "a public function of a routing program",
         (
-            _SPEED, _THICKNESS, _BEAM, _LENGTH, _DRAUGHT, _STEM,
+            _SPEED,
+            _THICKNESS,
+            _BEAM,
+            _LENGTH,
+            _DRAUGHT,
+            _STEM,
             Input("parallel_length", "m", "length of the parallel midbody"),
             Input("bow_length", "m", "length of the bow"),
         ),  # fmt: skip
@@ -166,9 +214,12 @@ LEVEL_ICE = (
         "no text that could be opened",
         (
             Input("channel_thickness", "m", "thickness of the brash in the channel"),
-            _BEAM, _LENGTH, _DRAUGHT,
+            _BEAM,
+            _LENGTH,
+            _DRAUGHT,
             Input("parallel_length", "m", "length of the parallel midbody"),
-            _STEM, _ENTRANCE,
+            _STEM,
+            _ENTRANCE,
             Input("bow_flare", "rad", "rake of the bow at a quarter of the beam"),
             Input("bow_area", "m^2", "area of the waterplane of the bow"),
         ),  # fmt: skip

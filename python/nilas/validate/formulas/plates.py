@@ -16,7 +16,10 @@ _RATIO = Input(
     "load_ratio", "1", "length of the loaded tip over the characteristic length", 0.0, 1.0
 )
 _NEVEL = "Nevel (1961), as quoted by Kerr (1975)"
-_CHECKED = "not confirmed in the paper; finite elements agree within 2 % for load ratios of 0.02 to 0.7, and 5 % at 1"
+_CHECKED = (
+    "not confirmed in the paper; finite elements agree within 2 % for load ratios of 0.02 to 0.7, "
+    "and 5 % at 1"
+)
 
 
 def nevel_factor(load_ratio: float) -> float:

@@ -9,9 +9,7 @@ from scipy.special import ellipe, ellipk
 from nilas.validate.formulas.formula import Condition, Formula, Input, gravity
 
 _WIDTH = Input("width", "m", "width of the structure at the waterline")
-_SLOPE = Input(
-    "slope_angle", "rad", "angle of the face from horizontal", high=math.pi / 2
-)
+_SLOPE = Input("slope_angle", "rad", "angle of the face from horizontal", high=math.pi / 2)
 _THICKNESS = Input("thickness", "m", "thickness of the ice")
 _STRENGTH = Input("flexural_strength", "Pa", "flexural strength of the ice")
 _FRICTION = Input("friction", "1", "coefficient of friction between ice and structure", high=1.0)
@@ -118,6 +116,14 @@ def _croasdale(
     return (breaking + rest) / (1 - squeezed)
 
 
+def _croasdale_bare(ice_density: float, **values: float) -> float:
+    none = {
+        "ice_friction": 0.0, "rubble_height": 0.0, "rubble_angle": values["slope_angle"],
+        "rubble_porosity": 0.0, "rubble_cohesion": 0.0, "rubble_friction_angle": 0.0,
+    }  # fmt: skip
+    return _croasdale(ice_density=ice_density, **values, **none)
+
+
 def _ralston(
     width: float,
     top_width: float,
@@ -165,6 +171,13 @@ def _pressure_area(width: float, thickness: float, coefficient: float, exponent:
     return coefficient * (width * thickness) ** (1 + exponent)
 
 
+_SHEET = (
+    _WIDTH, _SLOPE, _THICKNESS, _STRENGTH, _FRICTION,
+    Input("youngs_modulus", "Pa", "Young's modulus of the ice"),
+    Input("poisson", "1", "Poisson's ratio of the ice", high=0.5, default=0.3),
+    Input("water_density", "kg/m^3", "density of the water"),
+    gravity(),
+)  # fmt: skip
 _RUBBLE = (
     Input("ice_friction", "1", "friction between pieces of ice", high=1.0),
     _ICE_DENSITY,
@@ -183,14 +196,18 @@ STRUCTURES = (
         "N",
         "Croasdale and Cammaert (1994), in ISO 19906",
         _ICE_FLOE + ", IceFlexISO.f90",
-        (
-            _WIDTH, _SLOPE, _THICKNESS, _STRENGTH, _FRICTION,
-            Input("youngs_modulus", "Pa", "Young's modulus of the ice"),
-            Input("poisson", "1", "Poisson's ratio of the ice", high=0.5, default=0.3),
-            Input("water_density", "kg/m^3", "density of the water"),
-            gravity(), *_RUBBLE,
-        ),  # fmt: skip
+        (*_SHEET, *_RUBBLE),
         _croasdale,
+    ),
+    Formula(
+        "croasdale-bare",
+        "Croasdale without rubble",
+        "largest horizontal load of breaking and turning a sheet",
+        "N",
+        "Croasdale and Cammaert (1994), in ISO 19906",
+        _ICE_FLOE + ", IceFlexISO.f90",
+        (*_SHEET, _ICE_DENSITY),
+        _croasdale_bare,
     ),
     Formula(
         "ralston",
@@ -228,10 +245,12 @@ STRUCTURES = (
         (
             _WIDTH,
             _THICKNESS,
+            # 2.8 MPa is said to hold in the Arctic, and 1.8 MPa in the Baltic.
             Input("strength_coefficient", "Pa", "C_R, the pressure at h = w = 1 m"),
         ),
         _iso_crushing,
-        doubt="The values of C_R were not confirmed in the standard: 2.8 MPa (Arctic), 1.8 MPa (Baltic).",
+        doubt="The values of C_R were not confirmed in the standard.",
+        slopes_count=True,
         similar=False,
     ),
     Formula(

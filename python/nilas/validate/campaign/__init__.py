@@ -1,0 +1,1 @@
+"""Carries out cases within a budget of time."""

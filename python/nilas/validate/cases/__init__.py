@@ -1,0 +1,1 @@
+"""Case files of validation: a study, its references, and the inputs of formulas."""

@@ -1,0 +1,1 @@
+"""From runs to verdicts: means with their error, references, and slopes."""

@@ -1,0 +1,1 @@
+"""Measured runs: tables of loads, towing records, and floes that were laid out."""

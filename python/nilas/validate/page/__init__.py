@@ -1,0 +1,1 @@
+"""Writes validation.html, the page that shows all cases."""

@@ -1,0 +1,42 @@
+"""The cases that come with the program: all are read, and a slice of each runs."""
+
+import csv
+
+import pytest
+
+from nilas.program import NotFound, program
+from nilas.validate.cases.read_case import read_case
+from nilas.validate.command import main
+from nilas.validate.shipped import cases_folder, chosen_cases, shipped_names
+
+
+def test_every_case_file_is_in_the_order_and_can_be_read():
+    folder = cases_folder()
+    assert sorted(shipped_names(folder)) == sorted(file.stem for file in folder.glob("*.yaml"))
+    for case in chosen_cases([]):
+        assert case.name == case.file.stem
+        assert case.title and case.question.endswith("?")
+
+
+def test_the_cases_fit_into_an_evening_on_two_cores():
+    assert sum(case.minutes for case in chosen_cases([])) <= 2 * 300
+
+
+def test_a_slice_of_each_case_runs_and_gives_its_loads(tmp_path):
+    try:
+        found = program()
+    except NotFound as error:
+        pytest.skip(str(error))
+    code = main(["--slice", "--out", str(tmp_path), "--program", str(found), "--quiet"])
+    assert code == 0
+    with open(tmp_path / "validation.csv", newline="") as stream:
+        rows = list(csv.DictReader(stream))
+    for name in shipped_names(cases_folder()):
+        case = read_case(cases_folder() / f"{name}.yaml").sliced()
+        of_case = [row for row in rows if row["case"] == name]
+        assert of_case, name
+        # Every point has as many runs as the slice asks for, each with the quantity that is judged.
+        counted = [row for row in of_case if not row["quantity"].startswith("d ln")]
+        assert all(row["simulated"] for row in counted), name
+        assert all(int(row["runs"]) == case.slice.seeds for row in counted), name
+    assert (tmp_path / "validation.html").stat().st_size > 10000
