@@ -381,4 +381,13 @@ LAYOUTS = {
         ("difference of the laws [N]", "{difference_N}"),
         ("law part [N]", "{law_part_N}"),
     ],
+    "validate-slices": [
+        ("case", "`{case}`"),
+        ("point", "{point}"),
+        ("mean load [N], of larger scenes over the cube of the scale", "{load_N:.2f} ± {load_interval_N:.2f}"),
+        ("reference", "{reference}"),
+        ("from [N]", "{low_N:.2f}"),
+        ("to [N]", "{high_N:.2f}"),
+        ("verdict", "{verdict}"),
+    ],
 }

@@ -4,7 +4,7 @@ import csv
 
 import pytest
 
-from nilas.program import NotFound, program
+from nilas.program import Failed, NotFound, call, program
 from nilas.validate.cases.read_case import read_case
 from nilas.validate.command import main
 from nilas.validate.shipped import cases_folder, chosen_cases, shipped_names
@@ -20,6 +20,18 @@ def test_every_case_file_is_in_the_order_and_can_be_read():
 
 def test_the_cases_fit_into_an_evening_on_two_cores():
     assert sum(case.minutes for case in chosen_cases([])) <= 2 * 300
+
+
+def test_the_program_has_the_command():
+    try:
+        answer = call("validate", "--list")
+    except NotFound as error:
+        pytest.skip(str(error))
+    for name in shipped_names(cases_folder()):
+        assert f"{name}: " in answer.output
+    with pytest.raises(Failed) as wrong:
+        call("validate", "no-such-case")
+    assert wrong.value.code == 2 and "'no-such-case' is no case" in wrong.value.message
 
 
 def test_a_slice_of_each_case_runs_and_gives_its_loads(tmp_path):

@@ -26,8 +26,12 @@ class Slope:
 
 
 def slopes_of(result: CaseResult) -> list[Slope]:
-    """All slopes that the case asks for."""
-    return [_slope(result, wanted) for wanted in result.case.slopes]
+    """All slopes that the case asks for, but those over factors of which it has one level alone."""
+    return [
+        _slope(result, wanted)
+        for wanted in result.case.slopes
+        if len(result.along(wanted.factor)) > 1
+    ]
 
 
 def straight_slope(x: Sequence[float], y: Sequence[float]) -> float:

@@ -20,6 +20,10 @@ from nilas.validate.judge.slopes import Slope
 from nilas.validate.judge.verdicts import Row, Verdict
 from nilas.validate.page.pictures import plot_factors, plot_points, plot_slopes
 
+_MARKS_TEXT = (
+    "Large marks: means with intervals of 95 %. Small marks: single runs. Lines: formulas inside "
+    "of their range. Broken lines are those of formulas that are not judged."
+)
 # Classes of the style sheet by verdict.
 _KINDS = {Verdict.WITHIN: "good", Verdict.OUTSIDE: "off"}
 
@@ -114,8 +118,7 @@ def _section(one: Judged) -> dict:
     for quantity in dict.fromkeys(row.quantity for row in one.rows):
         picture = plot_factors(one.result, quantity) if case.study.design.kind != "table" else None
         if picture:
-            figures.append((picture, "Large marks: means with intervals of 95 %. Small marks: "
-                            "single runs. Lines: formulas inside of their range."))  # fmt: skip
+            figures.append((picture, _MARKS_TEXT))
         of_quantity = [row for row in one.rows if row.quantity == quantity]
         measured = [row for row in of_quantity if row.reference.startswith("measured")]
         bars = plot_points(measured, f"{case.name}: measured") if measured else None
@@ -150,7 +153,7 @@ def _sentences(one: Judged) -> list[str]:
 def _sentence(quantity: str, title: str, rows: Sequence[Row]) -> str:
     counts = Counter(row.verdict for row in rows)
     judged = counts[Verdict.WITHIN] + counts[Verdict.OUTSIDE]
-    text = f"{quantity.capitalize()} against {title}: "
+    text = f"{quantity.replace('_', ' ').capitalize()} against {title}: "
     if judged:
         text += f"{counts[Verdict.WITHIN]} of {judged} within"
     else:

@@ -130,9 +130,12 @@ def _plot_factor(
         (one.point.levels[place].number or 0.0) if numeric else float(number)
         for number, one in enumerate(points)
     ]
+    top = 0.0
     for number, formula in enumerate(formulas):
         y = [_value(formula, one) for one in points]
-        style = "-" if numeric else "none"
+        # A formula in doubt does not set the scale.
+        style = ("--" if formula.doubt else "-") if numeric else "none"
+        top = max([top, *([] if formula.doubt else filter(math.isfinite, y))])
         axes.plot(x, y, linestyle=style, marker=_MARKS[number % len(_MARKS)], linewidth=1.2,
                   markersize=4, color=PARTS[number % len(PARTS)], markerfacecolor="none",
                   label=formula.title)  # fmt: skip
@@ -147,7 +150,9 @@ def _plot_factor(
         axes.set_xticks(x, [one.point.levels[place].label for one in points])
         axes.margins(x=0.3)
     axes.set_xlabel(factor.title)
-    axes.set_ylim(bottom=min(0.0, axes.get_ylim()[0]))
+    known = [one.mean + width for one, width in zip(estimates, error, strict=True)]
+    top = max([top, *filter(math.isfinite, known)])
+    axes.set_ylim(bottom=min(0.0, axes.get_ylim()[0]), top=1.1 * top if top > 0 else None)
 
 
 def _value(formula: Formula, one: PointResult) -> float:
