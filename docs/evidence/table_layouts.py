@@ -354,6 +354,16 @@ LAYOUTS = {
         ("B holds the mean of its row", "{method_b_held} of {method_b_runs}"),
         ("B holds that of `auto`, 1e-4 m/s", "{method_b_held_last} of {method_b_runs_last}"),
     ],
+    "coverage-shipped": [
+        ("settings", "{settings}"),
+        ("direction", "{direction}"),
+        ("mean ice load [N]", "{load_N} ± {load_error_N}"),
+        ("runs scatter by [N]", "{scatter_N}"),
+        ("steps above tolerance", "{short_percent} %"),
+        ("stated +- [N]", "{stated_N}"),
+        ("holds the mean of its row", "{held} of {runs}"),
+        ("holds that of `auto`, 1e-5 m/s", "{held_last} of {runs}"),
+    ],
     "coverage-compare": [
         ("scene", "{scene}"),
         ("until [s]", "{until_s}"),

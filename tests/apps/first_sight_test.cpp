@@ -89,7 +89,9 @@ TEST(FirstSight, APathThatEndsBeforeTheRunEndsIt) {
 TEST(FirstSight, CrushedIceThatStandsInTheHullIsTold) {
   const ScratchFolder folder;
   const auto result =
-      run_nilas("run " + shipped_scene("level-ice.xml").string() + " --until 4.6 --out run", folder.path());
+      run_nilas("run " + shipped_scene("level-ice.xml").string() +
+                    " --until 4.6 --out run --solver nsgs --set contact/@tolerance=1e-3 contact/@max_iterations=200",
+                folder.path());
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_TRUE(mentions(result.out, "m of rigid contacts at")) << result.out;
   EXPECT_TRUE(mentions(result.out, "crushed ice, at most")) << result.out;

@@ -142,9 +142,9 @@ case "${1:-packed}" in
   field) "$bin/bench_field" ${SIZES:-1000 3000 10000} ;;
   level-ice) "$bin/bench_level_ice" "${2:-loads}" "${TWINS:-2}" "${THREADS:-2}" "$bin" ;;
   load-coverage)
-    tight=(contact/@solver=auto contact/@max_iterations=2000)
-    "$bin/bench_load_coverage" apps/scenes/level-ice.xml "${UNTIL:-4.6}" "${RUNS:-10}" -- contact/@max_iterations=2000 \
-      -- "${tight[@]}" -- "${tight[@]}" contact/@tolerance=1e-4 ;;
+    swept=(contact/@solver=nsgs contact/@tolerance=1e-3)
+    "$bin/bench_load_coverage" apps/scenes/level-ice.xml "${UNTIL:-4.6}" "${RUNS:-10}" \
+      -- "${swept[@]}" contact/@max_iterations=200 -- "${swept[@]}" -- contact/@tolerance=1e-3 -- contact/@tolerance=1e-5 ;;
   presawn) "$bin/bench_presawn" "${TWINS:-7}" "${THREADS:-2}" ;;
   symmetry) shift; "$bin/bench_presawn_symmetry" "${END:-10}" "$@" ;;
   hull) shift; "$bin/bench_hull" "$bin/hull" "${THREADS:-$(nproc)}" "$@" ;;
