@@ -35,11 +35,14 @@ cmake --build "$room/consumer/build" >/dev/null
 "$room/consumer/build/my_program"
 # What was installed runs from there: program, scenes, Python package, manual page and completion.
 "$room/installed/bin/nilas" verify --case A1 --quiet
-zcat "$room/installed/share/man/man1/nilas.1.gz" | grep -q "nilas run"
+zcat "$room/installed/share/man/man1/nilas.1.gz" | grep "nilas run" >/dev/null
 bash -n "$room/installed/share/bash-completion/completions/nilas"
 if [ -d "$room/installed/lib/python3/dist-packages/nilas" ]; then
   PYTHONPATH=$room/installed/lib/python3/dist-packages /usr/bin/python3 -c '
 import nilas
 print(len(nilas.solvers()), "solvers in Python")'
-  "$room/installed/bin/nilas" study --help >/dev/null
+  # It finds the installed package, and the package finds the program.
+  "$room/installed/bin/nilas" study "$source/examples/studies/concentration-speed.yaml" --out "$room/study" \
+    --dry-run >"$room/plan" || { cat "$room/plan"; exit 1; }
+  grep -q " runs" "$room/plan"
 fi

@@ -3,6 +3,8 @@
 #include <cctype>
 #include <string_view>
 
+#include "apps/nilas/commands/help_text.h"
+
 namespace nilas::commands {
 
 namespace {
@@ -63,8 +65,8 @@ std::string value_of(const CLI::Option& option) {
 std::string row_of(const CLI::Option& option) {
   const bool machine = option.check_lname(std::string(k_of_the_machine.substr(2)));
   const std::string fallback = machine ? "" : option.get_default_str();
-  return "| " + code(option.get_name(option.get_positional())) + " | " + value_of(option) + " | " + code(fallback) +
-         " | " + escaped(option.get_description()) + " |\n";
+  return "| " + code(listed_names(option)) + " | " + value_of(option) + " | " + code(fallback) + " | " +
+         escaped(option.get_description()) + " |\n";
 }
 
 std::string section_of(const CLI::App& command) {

@@ -23,6 +23,13 @@ std::string entry(const std::string& name, const std::string& description) {
 
 }  // namespace
 
+std::string listed_names(const CLI::Option& option) {
+  if (option.get_positional()) return option.get_name(true);
+  std::string names;
+  for (const std::string& name : option.get_snames()) names += "-" + name + ",";
+  return names + option.get_name();
+}
+
 HelpText::HelpText() { column_width(k_name_columns); }
 
 std::string HelpText::make_option(const CLI::Option* option, bool is_positional) const {
@@ -39,6 +46,11 @@ std::string HelpText::make_subcommand(const CLI::App* command) const {
 std::string HelpText::make_description(const CLI::App* app) const {
   const std::string text = output::wrapped(Formatter::make_description(app), 0);
   return text.empty() ? text : text + "\n";
+}
+
+std::string HelpText::make_footer(const CLI::App* app) const {
+  const std::string text = app->get_footer();
+  return text.empty() ? text : output::wrapped(text, 0) + "\n";
 }
 
 }  // namespace nilas::commands

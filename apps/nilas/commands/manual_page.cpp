@@ -2,6 +2,8 @@
 
 #include <string_view>
 
+#include "apps/nilas/commands/help_text.h"
+
 namespace nilas::commands {
 
 namespace {
@@ -36,8 +38,8 @@ std::string options_of(const CLI::App& command) {
   for (const CLI::Option* option : command.get_options()) {
     if (option == command.get_help_ptr() || option->get_group().empty()) continue;
     const bool takes_value = option->get_expected_max() > 0 && !option->get_positional();
-    text += ".TP\n.B " + as_text(option->get_name(option->get_positional())) + (takes_value ? " \\fIvalue\\fR" : "") +
-            "\n" + as_text(option->get_description()) + "\n";
+    text += ".TP\n.B " + as_text(listed_names(*option)) + (takes_value ? " \\fIvalue\\fR" : "") + "\n" +
+            as_text(option->get_description()) + "\n";
   }
   return text;
 }

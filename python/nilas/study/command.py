@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import argparse
 from collections.abc import Sequence
-from pathlib import Path
 
 from nilas.study.carry_out.launch import INTERRUPTED, Launcher
 from nilas.study.carry_out.lock import only_one
@@ -19,6 +18,7 @@ from nilas.study.describe.plan import Plan, Run
 from nilas.study.describe.points import Point
 from nilas.study.describe.read_study import read_study
 from nilas.study.needs import demand_packages
+from nilas.study.options import option_parser
 from nilas.study.results.closing import finish_study
 from nilas.study.results.overview import plan_text, status_text
 from nilas.study.snakemake.snakefile import write_snakefile
@@ -43,7 +43,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     0
     """
     try:
-        return _carry_out(_parser().parse_args(arguments))
+        return _carry_out(option_parser().parse_args(arguments))
     except StudyError as error:
         warn(error)
         return error.code
@@ -80,9 +80,9 @@ def _carry_out(options: argparse.Namespace) -> int:
         return _DONE
     if options.judge:
         return finish_study(plan, Records(plan), quiet=True, write=False)
-    if options.collect:
+    if options.collect or options.gather:
         code = finish_study(plan, Records(plan), quiet=options.quiet, page=not options.no_page)
-        return _DONE if options.collect == "without-judgement" else code
+        return _DONE if options.gather else code
     if options.run or options.part:
         return _one_job(plan, options)
     with only_one(plan.study.out, "study.lock"):
@@ -187,46 +187,3 @@ def _account(outcome: Outcome) -> str:
         f"Processor time {duration(outcome.processor_s)}, efficiency {outcome.efficiency:.2f} on "
         f"{outcome.slots} at a time. Places were free for {outcome.idle_s:.2f} s while runs waited."
     )
-
-
-def _parser() -> argparse.ArgumentParser:
-    parser = argparse.ArgumentParser(
-        prog="python3 -m nilas.study",
-        description="Runs a scene with many values and seeds, and writes one table and one page. "
-        "The same command continues a study that was stopped. docs/howto/run-a-study.md "
-        "explains the file.",
-    )
-    add = parser.add_argument
-    add("study", type=Path, metavar="STUDY.yaml", help="Reads the study from this file.")
-    add("-j", "--jobs", type=_count, default=1, metavar="N", help="Makes this many runs at a time.")
-    add("--threads", type=_count, metavar="N", help="Gives each run this many threads.")
-    add(
-        "--out",
-        metavar="DIR",
-        help="Writes into this folder instead of the one that the study names.",
-    )
-    add("--program", metavar="FILE", help="Runs this program instead of the nilas that is found.")
-    add(
-        "--dry-run",
-        action="store_true",
-        help="Checks scene and responses, and prints the plan and what it costs.",
-    )
-    add("--status", action="store_true", help="Prints how far the study is.")
-    add("--collect", nargs="?", const="yes", choices=["yes", "without-judgement"], metavar="",
-        help="Writes tables and page from the finished runs, and runs nothing.")  # fmt: skip
-    add("--snakemake", action="store_true", help="Writes a Snakefile that carries out the study.")
-    add("--retry-failed", action="store_true", help="Makes runs that failed again.")
-    add("--force", action="store_true", help="Makes runs of a changed scene again.")
-    add("--no-check", action="store_true", help="Does not check scene and responses first.")
-    add("--no-page", action="store_true", help="Writes the tables only, which is quicker.")
-    add("--quiet", action="store_true", help="Prints only errors.")
-    add("--run", help=argparse.SUPPRESS)
-    add("--part", help=argparse.SUPPRESS)
-    add("--judge", action="store_true", help=argparse.SUPPRESS)
-    return parser
-
-
-def _count(text: str) -> int:
-    if not text.isdigit() or not 1 <= int(text) <= 4096:
-        raise argparse.ArgumentTypeError(f"'{text}' is no whole number from 1 to 4096")
-    return int(text)

@@ -1,4 +1,4 @@
-"""The reference names every key, option and file of a study."""
+"""The reference names every key and file of a study."""
 
 import os
 import shutil
@@ -9,7 +9,6 @@ from pathlib import Path
 import pytest
 
 import nilas
-from nilas.study import command
 from nilas.study.describe import read_factors, read_responses, read_study
 from nilas.study.describe.study import DESIGNS, KEEPS, STATISTICS
 
@@ -33,19 +32,6 @@ KEYS = {
 def test_the_reference_has_every_key():
     page = (DOCS / "reference/study.md").read_text()
     assert not [key for key in sorted(KEYS) if f"`{key}`" not in page]
-
-
-def test_the_reference_has_every_option():
-    page = (DOCS / "reference/study.md").read_text()
-    options = [
-        name
-        for action in command._parser()._actions
-        if action.help != "==SUPPRESS=="
-        for name in action.option_strings
-        if name.startswith("--") and name != "--help"
-    ]
-    assert len(options) > 10
-    assert not [name for name in options if f"`{name}" not in page and f"{name} N`" not in page]
 
 
 @pytest.mark.parametrize("name", ["concentration-speed"])

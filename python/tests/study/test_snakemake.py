@@ -85,3 +85,17 @@ def test_a_job_whose_run_is_no_longer_in_the_study_is_refused(desk):
     desk.write()
     code, text = desk.run("--run", "x-7_y-0/seed-1")
     assert code == 2 and "The study has no run x-7_y-0/seed-1" in text
+
+
+def test_a_workflow_gathers_failing_runs_and_judges_them_apart(desk):
+    study = STUDY.replace("seeds: 2", "seeds: 1").replace("  test/@y: [0, 1]\n", "")
+    case = "case: {values: {good: {test/@x: 1}, bad: {test/@fail: 3}}}"
+    desk.write(study.replace("test/@x: [1, 2, 3]", case))
+    assert desk.run()[0] == 3
+    table = desk.table()
+    (desk.folder / "runs/trial/study.csv").unlink()
+    assert desk.run("--gather")[0] == 0
+    assert desk.table() == table
+    assert desk.run("--collect")[0] == 3
+    code, text = desk.run("--judge")
+    assert code == 3 and "1 of 2 runs failed" in text

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "apps/nilas/commands/commands.h"
+#include "apps/nilas/study/study_options.h"
 #include "core/base/error.h"
 
 namespace nilas::commands {
@@ -60,29 +61,26 @@ std::string interpreter() {
                   " cannot be started; NILAS_PYTHON may name another interpreter");
 }
 
-/// A command whose words all go to a module of the Python package.
-void add_module(CLI::App& app, Action& action, const std::string& name, const std::string& meaning) {
-  auto* command = app.add_subcommand(name, meaning);
-  command->prefix_command();
-  command->set_help_flag();
-  command->callback([&action, command, module = "nilas." + name] {
-    const std::vector<std::string> words = command->remaining();
-    action = [module, words]() -> int { become_module(module, words); };
-  });
-}
-
 }  // namespace
 
 void add_study(CLI::App& app, Action& action) {
-  add_module(
-      app, action, "study",
-      "Carries out a study: many runs of a scene over factors and seeds. `nilas study --help` lists its options.");
+  CLI::App& command = add_study_command(app);
+  command.callback([&action, &command] {
+    const std::vector<std::string> words = study_words(command);
+    action = [words]() -> int { become_module("nilas.study", words); };
+  });
 }
 
 void add_validate(CLI::App& app, Action& action) {
-  add_module(app, action, "validate",
-             "Judges loads by published formulas, measured runs and scale laws. `nilas validate --help` lists its "
-             "options.");
+  auto* command = app.add_subcommand("validate",
+                                     "Judges loads by published formulas, measured runs and scale laws. "
+                                     "`nilas validate --help` lists its options.");
+  command->prefix_command();
+  command->set_help_flag();
+  command->callback([&action, command] {
+    const std::vector<std::string> words = command->remaining();
+    action = [words]() -> int { become_module("nilas.validate", words); };
+  });
 }
 
 }  // namespace nilas::commands
