@@ -12,9 +12,9 @@
 
 #include "apps/nilas/commands/commands.h"
 #include "apps/nilas/commands/help_text.h"
+#include "apps/nilas/commands/program_identity.h"
 #include "apps/nilas/commands/usage_faults.h"
 #include "core/base/error.h"
-#include "core/output/run/program_versions.h"
 #include "core/output/text/console.h"
 
 namespace {
@@ -91,7 +91,7 @@ int main(int argc, char** argv) {
   std::signal(SIGTERM, leave);
   std::signal(SIGXFSZ, SIG_IGN);  // a file size limit is then an error of the write, with a message
   CLI::App app{"Nilas simulates vessels and fixed structures in broken floating sea ice.", "nilas"};
-  app.set_version_flag("--version", "nilas " + nilas::output::program_versions().at("nilas"));
+  app.set_version_flag("--version", nilas::commands::version_text());
   app.require_subcommand(1);
   app.formatter(std::make_shared<nilas::commands::HelpText>());
   nilas::commands::Action action;

@@ -1,6 +1,7 @@
 /// The command line as a user meets it: exit codes, messages, refusals, interruption.
 #include <gtest/gtest.h>
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -30,6 +31,26 @@ TEST(Cli, ThePageOfCommandsIsThatOfTheProgram) {
   EXPECT_EQ(page.exit_code, 0);
   EXPECT_EQ(page.out, read_text(fs::path(NILAS_SOURCE_DIR) / "docs/reference/command-line.md"))
       << "write it again: build/release/nilas schema --commands > docs/reference/command-line.md";
+}
+
+TEST(Cli, VersionNamesTheProgramInItsFirstLineAndThenItsLibraries) {
+  const ScratchFolder folder;
+  const auto version = run_nilas("--version", folder.path());
+  ASSERT_EQ(version.exit_code, 0);
+  const std::string project = read_text(fs::path(NILAS_SOURCE_DIR) / "CMakeLists.txt");
+  const std::string head = "project(nilas VERSION ";
+  const std::size_t at = project.find(head) + head.size();
+  EXPECT_EQ(version.out.substr(0, version.out.find('\n')), "nilas " + project.substr(at, project.find(' ', at) - at));
+  const std::string eigen = std::to_string(EIGEN_WORLD_VERSION) + "." + std::to_string(EIGEN_MAJOR_VERSION) + "." +
+                            std::to_string(EIGEN_MINOR_VERSION);
+  EXPECT_TRUE(mentions(version.out, "eigen " + eigen)) << version.out;
+  for (const char* name : {"cgal", "compiler", "fcl", "hdf5", "simbody", "sundials", "tinyxml2"}) {
+    const std::size_t place = version.out.find(std::string(name) + " ");
+    ASSERT_NE(place, std::string::npos) << name << " is missing in " << version.out;
+    const std::string value = version.out.substr(place, version.out.find_first_of(",\n", place) - place);
+    EXPECT_NE(value.find_first_of("0123456789", std::string(name).size()), std::string::npos)
+        << name << " has no version: CMake's package does not tell it";
+  }
 }
 
 TEST(Cli, UsageErrorsExitWithTwo) {

@@ -15,7 +15,8 @@ constexpr const char* k_head =
     "This page lists the commands of `nilas` with all of their options. It is printed by\n"
     "`nilas schema --commands`. `nilas COMMAND --help` shows the same in the terminal.\n"
     "\n"
-    "- Every command also takes `-h` and `--help`, and `nilas --version` prints the version.\n"
+    "- Every command also takes `-h` and `--help`, and `nilas --version` prints the version,\n"
+    "  the build and the versions of the libraries that it was built with.\n"
     "- Exit codes are in [conventions](conventions.md#exit-codes), and the files that a command writes\n"
     "  are in [outputs](outputs.md).\n"
     "- An option with `...` takes one value or several. One without a value is a switch.\n";

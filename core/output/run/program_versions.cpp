@@ -9,6 +9,7 @@ std::map<std::string, std::string> program_versions() {
           {"eigen", NILAS_EIGEN_VERSION},
           {"cgal", NILAS_CGAL_VERSION},
           {"sundials", NILAS_SUNDIALS_VERSION},
+          {"hdf5", NILAS_HDF5_VERSION},
           {"tinyxml2", NILAS_TINYXML2_VERSION},
           {"compiler", NILAS_COMPILER}};
 }

@@ -46,7 +46,7 @@ def program_facts(program: Path) -> dict[str, str]:
         )
     except (OSError, subprocess.SubprocessError) as error:
         raise StudyError(f"{program} does not tell its version: {error}.", 4) from error
-    return {"version": answer.stdout.strip(), "sha256": file_hash(program), "path": str(program)}
+    return {"version": answer.stdout.partition("\n")[0], "sha256": file_hash(program), "path": str(program)}
 
 
 @functools.cache
