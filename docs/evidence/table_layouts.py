@@ -43,6 +43,16 @@ LAYOUTS = {
         ("computing [s]", "{computing_s}"),
         ("mean load [N]", "{load_N} ± {load_error_N}"),
     ],
+    "level-ice-steps": [
+        ("time [s]", "{from_s} to {until_s}"),
+        ("contacts, mean", "{contacts}"),
+        ("floes at the end", "{floes}"),
+        ("solver in a step, median [ms]", "{median_ms}"),
+        ("95th percentile [ms]", "{p95_ms}"),
+        ("iterations, median", "{iterations_median}"),
+        ("95th percentile", "{iterations_p95}"),
+        ("steps above tolerance", "{short} of {steps}"),
+    ],
     "integrators": [
         ("scene", "{scene}"),
         ("until [s]", "{until_s}"),

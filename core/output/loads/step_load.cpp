@@ -93,11 +93,12 @@ std::string step_load_text(const StepLoadError& error) {
       force_text(error.mean));
   if (error.unsolved > 0)
     text += fmt::format(" In {} more the second solution did not succeed.", steps_text(error.unsolved));
-  if (!error.is_trusted())
-    text +=
-        " Do not use single steps and raw peaks of this run. The residual does not show this, since sweeps hide the "
-        "pressure of a jam. Set contact/@law=\"coulomb\" with contact/@solver=\"auto\", or a smaller "
-        "contact/@tolerance.";
+  if (error.is_trusted()) return text;
+  text += " Do not use single steps and raw peaks of this run.";
+  text += error.p95 > StepLoadError::k_trusted
+              ? " The residual does not show this, since sweeps hide the pressure of a jam. Set "
+                "contact/@law=\"coulomb\" with contact/@solver=\"auto\", or a smaller contact/@tolerance."
+              : " Steps whose second solution does not succeed are those that jam most, and may be off by more.";
   return text;
 }
 

@@ -85,17 +85,22 @@ TEST(StepLoad, OfSeveralBodiesDoesNotCancel) {
 }
 
 TEST(StepLoad, TellsWhetherSingleStepsAreToBeTrusted) {
-  StepLoads none, good, bad, failed;
+  StepLoads none, good, bad, failed, few;
   good.add(step(1, 0));
   bad.add(step(1, 6));
   bad.add(step(3, 1, false));
   failed.add(step(1, 1, false));
+  few.add(step(1, 0));
+  few.add(step(3, 0, false));
   const auto text = [](const StepLoads& loads) { return step_load_text(loads.error(checked_run(), k_all)); };
   EXPECT_EQ(text(none), "");
   EXPECT_TRUE(mentions(text(good), "1 step to 1e-08 m/s, the ice load of one step is off by less than 0.001 %"));
   EXPECT_FALSE(mentions(text(good), "Do not use"));
   EXPECT_TRUE(mentions(text(bad), "off by 60 % in the median and by 60 % in the 95th percentile, of 10 N"));
   EXPECT_TRUE(mentions(text(bad), "In 1 step more the second solution did not succeed. Do not use single steps"));
+  EXPECT_TRUE(mentions(text(bad), "Set contact/@law="));
+  EXPECT_TRUE(mentions(text(few), "raw peaks of this run. Steps whose second solution does not succeed are those"));
+  EXPECT_FALSE(mentions(text(few), "Set contact/@law="));
   EXPECT_TRUE(mentions(text(failed), "is not known: a second solution to 1e-08 m/s did not succeed in any of 1 step"));
 }
 
