@@ -1,8 +1,21 @@
 #!/usr/bin/env bash
-# Installs build/release/nilas_*.deb and dist/nilas-*.whl on bare Debian 12 systems in folders of their own, runs a tow with
-# each, removes them, and tells what is left. Needs root and the package mmdebstrap.
+# Installs Debian packages and wheels on bare Debian 12 systems in folders of their own, runs a tow with each, removes
+# them, and tells what is left. Needs root and the package mmdebstrap.
+# usage: try.sh [FILE.deb|FILE.whl ...]; without files, build/release/nilas_*.deb and dist/nilas-*.whl
 set -euo pipefail
-cd "$(dirname "${BASH_SOURCE[0]}")/.."
+if [ $# -eq 0 ]; then
+  cd "$(dirname "${BASH_SOURCE[0]}")/.."
+  shopt -s nullglob
+  set -- build/release/nilas_*.deb dist/nilas-*.whl
+  shopt -u nullglob
+fi
+[ $# -gt 0 ] || { echo "There is no package and no wheel to try; docs/howto/install.md says how to make them." >&2; exit 1; }
+for file in "$@"; do
+  [ -f "$file" ] && [[ $file = *.deb || $file = *.whl ]] ||
+    { echo "$file: allowed: a file *.deb or *.whl that exists" >&2; exit 2; }
+done
+[ "$(id -u)" = 0 ] && command -v mmdebstrap >/dev/null ||
+  { echo "Bare systems need root and the package mmdebstrap." >&2; exit 1; }
 room=$(mktemp -d)
 left=0
 leave() {
@@ -28,13 +41,17 @@ test -s /tmp/tow/summary.json
 nilas verify --case A1 --quiet
 rm -rf /tmp/tow'
 
-for package in build/release/nilas_*.deb; do
-  [ -f "$package" ] || continue
-  umount "$room/deb/proc" 2>/dev/null || true
-  rm -rf "$room/deb"
-  cp -a "$room/bare" "$room/deb"
-  mount -t proc proc "$room/deb/proc"  # the program finds its scenes by its own path
-  cp "$package" "$room/deb/tmp/nilas.deb"
+# $1: name of a new system; its mounts and files of the last trial are gone.
+bare_system() {
+  umount "$room/$1/proc" 2>/dev/null || true
+  rm -rf "${room:?}/$1"
+  cp -a "$room/bare" "$room/$1"
+  mount -t proc proc "$room/$1/proc"  # the program finds its scenes by its own path
+}
+
+try_deb() {
+  bare_system deb
+  cp "$1" "$room/deb/tmp/nilas.deb"
   within deb 'apt-get update -q >/dev/null'
   files deb >"$room/before"
   within deb 'apt-get install -y -q --no-install-recommends /tmp/nilas.deb >/dev/null; if command -v gcc c++ cc; then exit 1; fi'
@@ -42,18 +59,14 @@ for package in build/release/nilas_*.deb; do
   within deb 'python3 -c "import nilas; print(len(nilas.solvers()), \"solvers in Python\")"'
   within deb 'apt-get purge -y -q nilas >/dev/null; apt-get autoremove --purge -y -q >/dev/null'
   files deb >"$room/after"
-  tell_left "$package"
-done
+  tell_left "$1"
+}
 
-for wheel in dist/nilas-*.whl; do
-  [ -f "$wheel" ] || continue
-  umount "$room/wheel/proc" 2>/dev/null || true
-  rm -rf "$room/wheel"
-  cp -a "$room/bare" "$room/wheel"
-  mount -t proc proc "$room/wheel/proc"
+try_wheel() {
+  bare_system wheel
   # What it needs is downloaded outside, where pip knows the way to its server.
   [ -x "$room/pip/bin/pip" ] || /usr/bin/python3 -m venv "$room/pip"
-  "$room/pip/bin/pip" download -q -d "$room/wheel/tmp/wheels" "$wheel"
+  "$room/pip/bin/pip" download -q -d "$room/wheel/tmp/wheels" "$1"
   within wheel 'apt-get update -q >/dev/null; apt-get install -y -q --no-install-recommends python3-venv >/dev/null
 python3 -m venv /opt/try'
   files wheel >"$room/before"
@@ -62,6 +75,13 @@ python3 -m venv /opt/try'
   within wheel '/opt/try/bin/python3 -c "import nilas; print(len(nilas.solvers()), \"solvers in Python\")"
 /opt/try/bin/pip uninstall -y -q nilas'
   files wheel >"$room/after"
-  tell_left "$wheel"
+  tell_left "$1"
+}
+
+for file in "$@"; do
+  case $file in
+    *.deb) try_deb "$file" ;;
+    *) try_wheel "$file" ;;
+  esac
 done
 exit "$left"
