@@ -109,8 +109,10 @@ class Scheduler:
                 child.process.returncode = os.waitstatus_to_exitcode(status)
                 self._freed.append(time.monotonic())
                 ended.append((child, usage.ru_utime + usage.ru_stime))
-        # The next runs begin first: no processor waits while records are written.
-        if not any(child.process.returncode == INTERRUPTED for child, _ in ended):
+        # The next runs begin first: no processor waits while records are written. Only where the
+        # first run is still to show whether the responses exist, others wait for that.
+        is_stopping = any(child.process.returncode == INTERRUPTED for child, _ in ended)
+        if not is_stopping and not self.launcher.watched:
             self._fill()
         for child, processor_s in ended:
             self._take(child, child.process.returncode, processor_s)
