@@ -39,7 +39,7 @@ Findings judge_runs(const Plan& plan, const std::map<std::string, RunResult>& re
   f.check = step_check(f.rows, f.judges, f.measure, f.chance, f.merits);
   f.time_spread = time_spread(plan, f.rows);
   f.merits = with_time_spread(f.merits, f.time_spread);
-  f.merits = with_dominance(f.merits);
+  f.merits = with_faulty_parts(plan, f.measure, with_dominance(f.merits));
   if (f.measure.is_load()) f.merits = with_paired_differences(plan, f);
   if (f.measure.is_load() && judged != Judged::by_first_setting) {
     const LoadErrors errors = load_errors(plan, f);

@@ -54,6 +54,19 @@ std::vector<Merit> with_dominance(std::vector<Merit> merits) {
   return merits;
 }
 
+std::vector<Merit> with_faulty_parts(const Plan& plan, const Measure& measure, std::vector<Merit> merits) {
+  const auto at_fault = [&](const Merit& m) {
+    return complete(m) && m.significant && m.error > k_target * measure.scale;
+  };
+  for (auto& whole : merits)
+    for (const auto& part : merits)
+      if (at_fault(part) && is_part(plan.settings[part.setting], plan.settings[whole.setting], plan.settings.front())) {
+        whole.faulty_part = part.setting;
+        break;
+      }
+  return merits;
+}
+
 double significant_speed_ratio(double time_spread) {
   constexpr double k_sure = 3, k_spread_if_unknown = 0.1;
   return std::exp(k_sure * std::sqrt(2.0) * (std::isnan(time_spread) ? k_spread_if_unknown : time_spread));
@@ -65,9 +78,12 @@ Choice choose(const std::vector<Merit>& merits, const Measure& measure, double c
   const double good_enough = std::max(k_target * measure.scale, common_floor);
   if (!std::isfinite(good_enough)) return choice;
   const double deepest = std::max(k_deeper * merits.front().penetration_max_m, k_immaterial_m);
-  std::vector<const Merit*> enough, deeper;
-  for (const auto& m : merits)
-    if (complete(m) && shown_error(m) <= good_enough) (m.penetration_max_m > deepest ? deeper : enough).push_back(&m);
+  std::vector<const Merit*> enough, deeper, lucky;
+  for (const auto& m : merits) {
+    if (!complete(m) || shown_error(m) > good_enough) continue;
+    const bool deep = m.penetration_max_m > deepest;
+    (deep ? deeper : m.faulty_part ? lucky : enough).push_back(&m);
+  }
   if (enough.empty()) return choice;
   const auto by_time = [](const Merit* a, const Merit* b) { return a->time < b->time; };
   const Merit& fastest = **std::min_element(enough.begin(), enough.end(), by_time);
@@ -77,8 +93,13 @@ Choice choose(const std::vector<Merit>& merits, const Measure& measure, double c
   choice.chosen =
       enough.front()->setting == 0 ? 0 : (*std::min_element(enough.begin(), enough.end(), by_error))->setting;
   if (fastest.time < merits[*choice.chosen].time) choice.faster = fastest.setting;
-  std::erase_if(deeper, [&](const Merit* m) { return m->time * sure > fastest.time; });
-  if (!deeper.empty()) choice.deeper = (*std::min_element(deeper.begin(), deeper.end(), by_time))->setting;
+  const auto fastest_of = [&](std::vector<const Merit*> others) -> std::optional<std::size_t> {
+    std::erase_if(others, [&](const Merit* m) { return m->time * sure > fastest.time; });
+    if (others.empty()) return {};
+    return (*std::min_element(others.begin(), others.end(), by_time))->setting;
+  };
+  choice.deeper = fastest_of(deeper);
+  choice.by_luck = fastest_of(lucky);
   return choice;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 /// Ranks the settings of a comparison by error and time.
 #include "apps/compare/scenes/judge/findings.h"
+#include "apps/compare/scenes/plan/plan.h"
 
 namespace nilas::compare {
 
@@ -15,8 +16,12 @@ std::vector<Merit> with_dominance(std::vector<Merit> merits);
 /// ratio of times. `time_spread`: relative standard deviation of times; NaN: not known, 0.1 is then taken.
 double significant_speed_ratio(double time_spread);
 
-/// Chooses the fastest setting that is accurate enough. Among settings whose times do not differ significantly it is
-/// the most accurate one, or the scene's own setting if that is among them.
+/// Sets Merit::faulty_part: a setting that has only some of this one's changes from the first setting, and whose error
+/// is significant and above the target. A small error of both changes together may then be two errors that cancel.
+std::vector<Merit> with_faulty_parts(const Plan& plan, const Measure& measure, std::vector<Merit> merits);
+
+/// Chooses the fastest setting that is accurate enough and has no faulty part. Among settings whose times do not differ
+/// significantly it is the most accurate one, or the scene's own setting if that is among them.
 Choice choose(const std::vector<Merit>& merits, const Measure& measure, double common_floor, double time_spread);
 
 /// The orders p of errors C h^p, for settings that differ only in the step and have at least k_least_order_steps

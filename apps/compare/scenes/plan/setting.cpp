@@ -71,6 +71,19 @@ std::vector<std::string> differences(const CompareSetting& a, const CompareSetti
   return axes;
 }
 
+bool is_part(const CompareSetting& part, const CompareSetting& whole, const CompareSetting& first) {
+  const auto either = [](const auto& value, const auto& one, const auto& other) {
+    return value == one || value == other;
+  };
+  return part != whole && part != first && either(part.solver, whole.solver, first.solver) &&
+         either(part.law, whole.law, first.law) && either(part.step, whole.step, first.step) &&
+         either(part.tolerance, whole.tolerance, first.tolerance) &&
+         either(part.stabilisation, whole.stabilisation, first.stabilisation) &&
+         either(part.integrator, whole.integrator, first.integrator) &&
+         either(part.simplifications, whole.simplifications, first.simplifications) &&
+         either(part.more, whole.more, first.more);
+}
+
 /// The label of a setting in an ablation, which turns simplifications on singly, then all together.
 static std::string simplifications_label(const CompareSetting& setting) {
   if (setting.simplifications.size() > 1) return "all together";

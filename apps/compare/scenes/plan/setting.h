@@ -44,6 +44,9 @@ std::string simplifications_text(const CompareSetting& setting);
 /// integrator.
 std::vector<std::string> differences(const CompareSetting& a, const CompareSetting& b);
 
+/// Whether `part` has some of the changes that `whole` has from `first`, at least one and not all of them.
+bool is_part(const CompareSetting& part, const CompareSetting& whole, const CompareSetting& first);
+
 /// The coarsest step of the settings [s].
 double coarsest_step(const std::vector<CompareSetting>& settings);
 

@@ -111,6 +111,28 @@ std::string no_recommendation(const SceneReport& report) {
   return fmt::format("No setting is recommended: none is within {} of {}.", percent_text(k_target), scale_text(report));
 }
 
+/// Names settings that are faster and seem as accurate, with the reason why they are not recommended.
+void say_why_not_faster(const SceneReport& report, std::vector<std::string>& lines) {
+  const Findings& found = report.found;
+  const Merit& own = found.merits.front();
+  if (found.choice.by_luck) {
+    const Merit& lucky = found.merits[*found.choice.by_luck];
+    const Merit& part = found.merits[*lucky.faulty_part];
+    lines.push_back(fmt::format(
+        "\"{}\" seems as accurate and is {} the scene's own setting, but it is not recommended: \"{}\" alone has a "
+        "significant error of {} ({}), so that two errors may cancel by chance.",
+        report.label(lucky.setting), speed_text(own.time / lucky.time), report.label(part.setting),
+        quantity_text(part.error, found.measure.unit), percent_text(part.error / found.measure.scale)));
+  }
+  if (!found.choice.deeper) return;
+  const Merit& deep = found.merits[*found.choice.deeper];
+  lines.push_back(
+      fmt::format("\"{}\" is as accurate and {} the scene's own setting, but lets bodies penetrate each other "
+                  "by up to {} (the scene's own setting: {}).",
+                  report.label(deep.setting), speed_text(own.time / deep.time),
+                  quantity_text(deep.penetration_max_m, "m"), quantity_text(own.penetration_max_m, "m")));
+}
+
 void say_price(const SceneReport& report, std::vector<std::string>& lines) {
   const Findings& found = report.found;
   const Merit& own = found.merits.front();
@@ -122,13 +144,7 @@ void say_price(const SceneReport& report, std::vector<std::string>& lines) {
     say_recommendation(report, lines);
   else
     lines.push_back(no_recommendation(report));
-  if (!found.choice.deeper) return;
-  const Merit& deep = found.merits[*found.choice.deeper];
-  lines.push_back(
-      fmt::format("\"{}\" is as accurate and {} the scene's own setting, but lets bodies penetrate each other "
-                  "by up to {} (the scene's own setting: {}).",
-                  report.label(deep.setting), speed_text(own.time / deep.time),
-                  quantity_text(deep.penetration_max_m, "m"), quantity_text(own.penetration_max_m, "m")));
+  say_why_not_faster(report, lines);
 }
 
 /// "+1.2 N +- 0.3 N, which is significant (95 %)", or why it is not known to be.

@@ -97,6 +97,34 @@ TEST(Choice, IsNoneThatSinksIn) {
   EXPECT_EQ(found.choice.deeper, 1U);
 }
 
+/// Four settings: the scene's own, a coarser step, a looser tolerance, and both.
+Plan plan_of_both() {
+  Plan plan;
+  plan.settings.assign(4, {"auto", "coulomb", "moreau", "projection", 0.01, 1e-4});
+  for (const std::size_t k : {1U, 3U}) plan.settings[k].step = 0.02;
+  for (const std::size_t k : {2U, 3U}) plan.settings[k].tolerance = 1e-2;
+  return plan;
+}
+
+TEST(Choice, IsNoneOfWhichAPartAloneIsFarOff) {
+  Findings found = findings({merit(0, 2, 0.05), merit(1, 1, 0.15), merit(2, 1, 0.9), merit(3, 0.5, 0.05)});
+  found.merits = with_faulty_parts(plan_of_both(), found.measure, found.merits);
+  EXPECT_FALSE(found.merits[0].faulty_part || found.merits[1].faulty_part || found.merits[2].faulty_part);
+  EXPECT_EQ(found.merits[3].faulty_part, 2U);
+  found.choice = choose(found.merits, found.measure, found.common_floor, found.time_spread);
+  EXPECT_EQ(found.choice.chosen, 1U);
+  EXPECT_EQ(found.choice.by_luck, 3U);
+}
+
+TEST(Choice, TakesACombinationWhosePartsAreFaultless) {
+  Findings found = findings({merit(0, 2, 0.05), merit(1, 1, 0.15), merit(2, 1, 0.9, 1.0), merit(3, 0.5, 0.05)});
+  found.merits = with_faulty_parts(plan_of_both(), found.measure, found.merits);
+  EXPECT_FALSE(found.merits[3].faulty_part) << "an error that may be chance is no fault";
+  found.choice = choose(found.merits, found.measure, found.common_floor, found.time_spread);
+  EXPECT_EQ(found.choice.chosen, 3U);
+  EXPECT_FALSE(found.choice.by_luck);
+}
+
 TEST(Orders, AreSlopesOverThreeStepsThatTellAnError) {
   Plan plan;
   const CompareSetting own{"auto", "coulomb", "moreau", "projection", 0.04, 1e-6};
