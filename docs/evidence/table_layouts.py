@@ -29,6 +29,17 @@ LAYOUTS = {
         ("error of the mean load [N]", "{error_N:.3f}"),
         ("computing [s per s]", "{computing_s_per_s:.1f}"),
     ],
+    "compare-default": [
+        ("scene", "`{scene}`"),
+        ("setting", "{setting}"),
+        ("off by [N]", "{error_N}"),
+        ("[%]", "{error_percent}"),
+        ("shown", "{shown}"),
+        ("99 % load [N]", "{p99_N}"),
+        ("load of one step off by, median [%]", "{step_load_median_percent}"),
+        ("95th percentile [%]", "{step_load_p95_percent}"),
+        ("computing over that of the own setting", "{times_own}"),
+    ],
     "compare-oblique": [
         ("law", "{law}"),
         ("stabilisation", "`{stabilisation}`"),
