@@ -8,8 +8,8 @@ from style import *
 FILE = pathlib.Path(__file__).resolve().parent.parent / "evidence/data/jam-front.csv"
 # engine, friction: colour, mark, where its name stands beside its first or last point
 LOOKS = {
-    ("Nilas `pgs`, pyramid", "0.15"): (SKY, "o", "Nilas pgs, pyramid", -1, (15, -3), "left"),
-    ("Nilas `nsgs`", "0.15"): (GREEN, "s", "Nilas nsgs", -1, (9, -3), "left"),
+    ("Nilas `pgs`, pyramid", "0.15"): (SKY, "o", "Nilas pgs, pyramid", -1, (20, -3), "left"),
+    ("Nilas `nsgs`", "0.15"): (GREEN, "s", "Nilas nsgs", -1, (-4, -15), "center"),
     ("Nilas `auto`", "0.15"): (BLUE, "D", "Nilas auto", -1, (-8, -3), "right"),
     ("Nilas `auto`", "0.3"): (PURPLE, "D", "Nilas auto, friction 0.3", -1, (6, 6), "left"),
     ("ODE", "0.15"): (ORANGE, "^", "ODE", 0, (0, 7), "center"),
