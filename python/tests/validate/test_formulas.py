@@ -45,6 +45,15 @@ INPUTS = {
     "iso-crushing": {"width": 60.0, "thickness": 0.7, "strength_coefficient": 2.8e6},
     "full-contact": {"width": 60.0, "thickness": 0.7, "compressive_strength": 2e6},
     "pressure-area": {"width": 3.0, "thickness": 0.7, "coefficient": 7.4e6, "exponent": -0.7},
+    "keinonen": ICEBREAKER
+    | {"speed": 1.0, "flare_angle": 1.4, "buttock_angle": 0.5, "ice_temperature": -10.0},
+    "driving-force": {
+        "current_speed": 1.0, "form": 1.0, "skin": 0.005, "ice_area": 1200.0, "front_width": 120.0,
+        "side_length": 480.0, "thickness": 0.8, "ice_density": 920.0, "water_density": 1025.0,
+    },
+    "swept-momentum": {
+        "speed": 0.5, "concentration": 0.7, "thickness": 0.8, "width": 20.0, "ice_density": 920.0,
+    },
     "nevel-wedge": {
         "thickness": 1.0,
         "flexural_strength": 0.5e6,
@@ -133,6 +142,95 @@ def test_riska_by_hand():
     moving = 2.89 * (18900 * 0.8**1.5 + 670 * 16) + 1550 * 0.8 * 1.42 * 400 / 10
     assert value("riska", speed=0.0) == pytest.approx(still)
     assert value("riska") == pytest.approx(still + 2 * moving)
+
+
+# What Hu and Zhou (2016) print for MT Uikku (150 m, 22.22 m, 9.55 m) in table 8: test, thickness
+# [m], flexural strength [kPa], modulus [MPa], speed [m/s], and resistances [kN] of Lindqvist, Riska
+# and Keinonen. The first four are rounded to 10 kN, the others to 1 kN.
+UIKKU = (
+    (103, 0.77, 724, 929, 0.2, 320, 610, 510),
+    (104, 0.76, 844, 984, 0.5, 380, 630, 600),
+    (205, 0.96, 920, 1685, 0.2, 510, 800, 740),
+    (206, 0.95, 912, 1701, 0.5, 560, 840, 810),
+    (301, 1.04, 540, 1474, 0.2, 426, 892, 663),
+    (302, 1.04, 669, 1273, 0.5, 538, 942, 783),
+    (303, 1.04, 592, 1390, 1.0, 572, 1025, 847),
+    (401, 0.63, 808, 1616, 0.2, 251, 473, 425),
+    (402, 0.63, 1029, 2058, 0.5, 322, 501, 526),
+    (403, 0.63, 903, 1805, 1.0, 351, 548, 579),
+)  # fmt: skip
+TANKER = {"length": 150.0, "beam": 22.22, "draught": 9.55}
+
+
+def test_riska_gives_the_ten_published_values_of_one_ship():
+    """The angle of the stem and two lengths of the bow are not printed, so they are found here."""
+
+    def terms(thickness, speed, stem_angle):
+        # R is linear in both lengths: parts without them, for 1 m of midbody, and for 1 m of bow.
+        values = TANKER | {"thickness": thickness, "speed": speed, "stem_angle": stem_angle}
+        bare, side, bow = (
+            FORMULAS["riska"].value(values | {"parallel_length": side, "bow_length": front}) / 1e3
+            for side, front in ((0, 0), (1, 0), (0, 1))
+        )
+        return bare, side - bare, bow - bare
+
+    def misfit(degrees):
+        parts = np.array([terms(h, v, math.radians(degrees)) for _, h, _, _, v, *_ in UIKKU])
+        wanted = np.array([row[6] for row in UIKKU]) - parts[:, 0]
+        weight = np.where(np.arange(10) < 4, 0.1, 1.0)
+        lengths, *_ = np.linalg.lstsq(parts[:, 1:] * weight[:, None], wanted * weight, rcond=None)
+        return parts[:, 1:] @ lengths - wanted
+
+    found = min((misfit(degrees) for degrees in np.arange(5, 40, 0.1)),
+                key=lambda one: abs(one[4:]).max())  # fmt: skip
+    assert abs(found[:4]).max() < 6 and abs(found[4:]).max() < 1.5
+
+
+def test_lindqvist_depends_on_ice_and_speed_as_six_published_values_do():
+    """Crushing, breaking and submersion have one unknown factor each, that of the hull's angles."""
+    hull = TANKER | {"friction": 0.1, "stem_angle": 0.5, "entrance_angle": 0.5}
+    hull |= {"ice_density": 900.0, "water_density": 1025.0, "poisson": 0.3, "gravity": 9.81}
+    parts = []
+    for _, h, strength, modulus, v, *_ in UIKKU[4:]:
+        ice = {"thickness": h, "flexural_strength": 1e3 * strength, "youngs_modulus": 1e6 * modulus}
+        crushing, breaking, submersion = lindqvist_parts(**hull | ice)
+        fast, slow = 1 + 1.4 * v / math.sqrt(9.81 * h), 1 + 9.4 * v / math.sqrt(9.81 * 150)
+        parts.append((crushing * fast, breaking * fast, submersion * slow))
+    published = np.array([row[5] for row in UIKKU[4:]])
+    factors, *_ = np.linalg.lstsq(np.array(parts), published, rcond=None)
+    assert (factors > 0).all()
+    assert abs(np.array(parts) @ factors - published).max() < 0.5
+
+
+def test_keinonen_gives_the_published_values_at_1_m_s():
+    """The terms of hull and temperature are one unknown factor, the same in both tests."""
+    angles = {"flare_angle": math.pi / 2, "buttock_angle": math.radians(5), "ice_temperature": 0.0}
+    found = []
+    for _, h, strength, _, v, *_, load in (UIKKU[6], UIKKU[9]):
+        values = TANKER | angles | {"thickness": h, "flexural_strength": 1e3 * strength, "speed": v}
+        found.append((load - 80) / (FORMULAS["keinonen"].value(values) / 1e3 - 80))
+    assert found[0] == pytest.approx(found[1], rel=2e-3)
+    # By hand, at t = 0: 0.017 22.22^0.7 150^0.2 9.55^0.1 1.04^1.25 0.751 (0.63 + 0.00074 592) MN.
+    size = 22.22**0.7 * 150**0.2 * 9.55**0.1 * 1.04**1.25
+    expected = 80 + 17 * size * 0.751 * (0.63 + 0.00074 * 592)
+    values = TANKER | angles | {"thickness": 1.04, "flexural_strength": 592e3, "speed": 1.0}
+    assert FORMULAS["keinonen"].value(values) / 1e3 == pytest.approx(expected)
+    slower = FORMULAS["keinonen"].outside(values | {"salinity_factor": 1.0, "speed": 0.5})
+    assert "speed is 0.5 m/s" in slower[0]
+
+
+def test_the_driving_force_is_the_drag_of_the_ice():
+    # 1025 / 2 (0.005 (1200 + 480 0.718) + 120 0.718): draught 0.8 920 / 1025 = 0.718 m.
+    draught = 0.8 * 920 / 1025
+    expected = 512.5 * (0.005 * (1200 + 480 * draught) + 120 * draught)
+    assert value("driving-force") == pytest.approx(expected)
+    assert FORMULAS["driving-force"].slope(INPUTS["driving-force"], "current_speed") == (
+        pytest.approx(2.0)
+    )
+
+
+def test_the_swept_momentum_is_mass_flux_times_speed():
+    assert value("swept-momentum") == pytest.approx(920 * 0.8 * 0.7 * 20 * 0.5**2)
 
 
 def test_croasdale_and_its_parts():

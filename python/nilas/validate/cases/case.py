@@ -16,13 +16,18 @@ from nilas.validate.measured.rows import MeasuredRow
 class Reference:
     """What a quantity is compared with, at each point.
 
-    ``formulas``: one formula, or several whose values make an envelope. ``same_over``: factors
-    over which the quantity should not change, from that of the first point. ``value``: a number
-    that the quantity should have, with its ``source``.
+    ``formulas``: one formula, or several whose values make an envelope. ``least``: the smallest of
+    their values counts instead. ``at_most``: it is an upper bound, and smaller is right too.
+    ``same_over``: factors over which the quantity should not change, from that of the first point.
+    ``value``: a number that the quantity should have, with its ``source``. ``where``: the levels of
+    factors at which the reference holds; factors that are not named may have any.
     """
 
     quantity: str
     formulas: tuple[Formula, ...] = ()
+    least: bool = False
+    at_most: bool = False
+    where: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     same_over: tuple[str, ...] = ()
     value: float | None = None
     source: str = ""
@@ -33,13 +38,15 @@ class Reference:
 class SlopeReference:
     """The slope d ln quantity / d ln factor beside those of formulas.
 
-    ``input``: the input of the formulas that the factor is.
+    ``input``: the input of the formulas that the factor is. ``per``: an input by which the quantity
+    is divided first, as a load by its area, or nothing.
     """
 
     quantity: str
     factor: str
     input: str
     formulas: tuple[Formula, ...]
+    per: str = ""
 
 
 @dataclass(frozen=True)

@@ -21,9 +21,13 @@ CASE_KEYS = (
     "title", "question", "minutes", "study", "inputs", "references", "slopes", "slice",
     "measured", "unjudged",
 )  # fmt: skip
-REFERENCE_KEYS = ("quantity", "formula", "envelope", "same_over", "value", "source", "remark")
-SLOPE_KEYS = ("quantity", "over", "input", "formulas")
+# What a reference may be: it has one of these.
+REFERENCE_KINDS = ("formula", "envelope", "least", "at_most", "same_over", "value")
+REFERENCE_KEYS = ("quantity", *REFERENCE_KINDS, "where", "source", "remark")
+SLOPE_KEYS = ("quantity", "over", "input", "per", "formulas")
 SLICE_KEYS = ("seeds", "points", "set")
+FORMULA_KINDS = ("formula", "envelope", "least", "at_most")
+KIND_NAMES = {"envelope": "An envelope", "least": "A least value"}
 
 
 def read_case(file: str | Path) -> Case:
@@ -109,7 +113,8 @@ class _Reader:
             told = "A map from inputs to attributes should stand here."
             self.faults.add(item.line, "inputs", told)
             return {}
-        known = {one.name for formula in FORMULAS.values() for one in formula.inputs}
+        # A factor may set several inputs at once, as an area does; its own level is then one too.
+        known = {one.name for formula in FORMULAS.values() for one in formula.inputs} | factors
         inputs: dict[str, float | str] = {}
         for name, value in item.entries.items():
             number = number_of(value.text) if value.kind == "text" else None
@@ -132,24 +137,62 @@ class _Reader:
     def _reference(self, item: Item, study: Study) -> Reference:
         section = Section(item, "references", REFERENCE_KEYS, self.faults)
         quantity = self._quantity(section, study)
-        kinds = [key for key in ("formula", "envelope", "same_over", "value") if section.has(key)]
+        kinds = [key for key in REFERENCE_KINDS if section.has(key)]
         if len(kinds) != 1:
-            section.fault(None, "A reference has one of formula, envelope, same_over and value.")
-        if section.has("value") and not section.has("source"):
-            section.fault("value", "A value needs a source, which says why it is expected.")
-        formulas = self._formulas(section, "formula" if section.has("formula") else "envelope")
-        if section.has("envelope") and len(formulas) < 2:
-            section.fault("envelope", "An envelope has two formulas or more.")
+            section.fault(None, f"A reference has one of {listed(REFERENCE_KINDS)}.")
+        kind = kinds[0] if kinds else "value"
+        number = self._number_of(section, kind)
+        if number is not None and not section.has("source"):
+            section.fault(kind, "A value needs a source, which says why it is expected.")
+        formulas = self._formulas(section, kind) if number is None and kind in FORMULA_KINDS else ()
+        if kind in ("envelope", "least") and len(formulas) < 2:
+            section.fault(kind, f"{KIND_NAMES[kind]} has two formulas or more.")
         over = self._words(section, "same_over")
         self._check_factors(section, "same_over", over, study)
         return Reference(
             quantity,
             formulas,
+            kind in ("least", "at_most"),
+            kind == "at_most",
+            self._where(section.item("where"), study),
             tuple(over),
-            section.number("value"),
+            number,
             section.text("source"),
             section.text("remark"),
         )
+
+    def _number_of(self, section: Section, kind: str) -> float | None:
+        """The number of a reference of this kind, None where it names formulas or factors."""
+        item = section.item(kind)
+        is_number = item is not None and item.kind == "text" and number_of(item.text) is not None
+        if kind == "value" or (kind == "at_most" and is_number):
+            return section.number(kind)
+        return None
+
+    def _where(self, item: Item | None, study: Study) -> dict[str, tuple[str, ...]]:
+        if item is None:
+            return {}
+        if item.kind != "map":
+            told = "A map from factors to levels fits here."
+            self.faults.add(item.line, "references.where", told)
+            return {}
+        factors = {factor.name: factor for factor in study.factors}
+        found = {}
+        for name, value in item.entries.items():
+            key = f"references.where.{name}"
+            if name not in factors:
+                hint = nearest(name, factors)
+                told = f"'{name}' is no factor.{hint} There are {listed(factors or ['none'])}."
+                self.faults.add(value.line, key, told)
+                continue
+            labels = [level.label for level in factors[name].levels]
+            words = [one.text for one in (value.items if value.kind == "list" else (value,))]
+            for word in words:
+                if word not in labels:
+                    told = f"'{word}' is no level. There are {listed(labels)}."
+                    self.faults.add(value.line, key, told)
+            found[name] = tuple(words)
+        return found
 
     def _slope(self, item: Item, study: Study, inputs: dict[str, float | str]) -> SlopeReference:
         section = Section(item, "slopes", SLOPE_KEYS, self.faults)
@@ -160,12 +203,16 @@ class _Reader:
         self._check_factors(section, "over", [factor] if factor else [], study)
         name = section.text("input", factor)
         formulas = self._formulas(section, "formulas")
+        of_some = {one.name for formula in FORMULAS.values() for one in formula.inputs}
         for formula in formulas:
-            if name not in {one.name for one in formula.inputs}:
+            if name in of_some and name not in {one.name for one in formula.inputs}:
                 section.fault("formulas", f"{formula.name} has no input {name}.")
         if name not in inputs:
             section.fault("over", f"The case has no input {name}; 'input' names another.")
-        return SlopeReference(self._quantity(section, study), factor, name, formulas)
+        per = section.text("per")
+        if per and per not in inputs:
+            section.fault("per", f"The case has no input {per}.")
+        return SlopeReference(self._quantity(section, study), factor, name, formulas, per)
 
     def _slice(self, item: Item | None, study: Study) -> Slice:
         section = Section(item, "slice", SLICE_KEYS, self.faults)

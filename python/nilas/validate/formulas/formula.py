@@ -11,7 +11,7 @@ _STEP = 1e-4
 # The power of the scale of lengths by which a quantity grows (Froude and Cauchy).
 SCALE_POWERS = {
     "1": 0.0, "rad": 0.0, "m": 1.0, "m^2": 2.0, "m/s": 0.5, "m/s^2": 0.0, "kg/m^3": 0.0,
-    "Pa": 1.0, "N": 3.0, "N/m": 2.0,
+    "Pa": 1.0, "N": 3.0, "N/m": 2.0, "degC": 0.0,
 }  # fmt: skip
 
 

@@ -74,11 +74,14 @@ def _slope(result: CaseResult, wanted: SlopeReference) -> Slope:
     shared = _shared_seeds(known, wanted.quantity)
     simulated = Estimate(math.nan, math.nan, len(shared), "seeds")
     if len(set(x)) > 1:
-        table = [[one.values[wanted.quantity][seed] for one in known] for seed in shared]
+        table = [
+            [one.values[wanted.quantity][seed] / _divisor(one, wanted) for one in known]
+            for seed in shared
+        ]
         simulated = jackknife_slope(x, np.array(table).reshape(len(shared), len(known)))
     formulas, remarks = [], []
     for formula in wanted.formulas:
-        slope, remark = _formula_slope(formula, points, wanted.input)
+        slope, remark = _formula_slope(formula, points, wanted)
         formulas.append((formula, slope))
         remarks.append(remark)
     row = _row(result, wanted, simulated, formulas, remarks, len(known))
@@ -93,13 +96,20 @@ def _shared_seeds(points: Sequence[PointResult], quantity: str) -> list[int]:
     return [seed for seed in first if all(seed in values for values in others)]
 
 
-def _formula_slope(formula: Formula, points: Sequence[PointResult], name: str) -> tuple[float, str]:
+def _divisor(one: PointResult, wanted: SlopeReference) -> float:
+    return one.inputs[wanted.per] if wanted.per else 1.0
+
+
+def _formula_slope(
+    formula: Formula, points: Sequence[PointResult], wanted: SlopeReference
+) -> tuple[float, str]:
     """The slope of a formula over the points, and what there is to say of it."""
     try:
-        x = [one.inputs[name] for one in points]
+        x = [one.inputs[wanted.input] for one in points]
         if len(set(x)) < 2:
             return math.nan, f"{formula.title}: one value alone has no slope."
-        slope = straight_slope(x, [formula.value(one.inputs) for one in points])
+        y = [formula.value(one.inputs) / _divisor(one, wanted) for one in points]
+        slope = straight_slope(x, y)
         outside = sum(bool(formula.outside(one.inputs)) for one in points)
     except FormulaError as error:
         return math.nan, str(error)
@@ -133,6 +143,7 @@ def _row(result, wanted, simulated: Estimate, formulas, remarks, known: int) -> 
         verdict = Verdict.WITHIN if apart <= simulated.interval else Verdict.OUTSIDE
     title = " to ".join(formula.title for formula, _ in formulas)
     source = "; ".join(dict.fromkeys(formula.source for formula, _ in formulas))
-    quantity = f"d ln {wanted.quantity} / d ln {wanted.factor}"
+    divided = f"({wanted.quantity} / {wanted.per})" if wanted.per else wanted.quantity
+    quantity = f"d ln {divided} / d ln {wanted.factor}"
     return Row(result.case.name, f"over {wanted.factor}", quantity, "1", simulated, title,
                (low + high) / 2, low, high, verdict, source, " ".join(remarks))  # fmt: skip

@@ -30,7 +30,11 @@ class Verdict(enum.Enum):
 
 @dataclass(frozen=True)
 class Row:
-    """One comparison. ``low`` and ``high``: the envelope, or the interval of a measured value."""
+    """One comparison.
+
+    ``low`` and ``high``: the envelope, or the interval of a measured value. A bound has no ``low``,
+    which is then minus infinity.
+    """
 
     case: str
     point: str
@@ -70,8 +74,12 @@ def is_known(estimate: Estimate) -> bool:
 
 
 def _point_rows(result: CaseResult, reference: Reference, one: PointResult) -> Iterator[Row]:
+    if not _holds_at(reference, result, one.point):
+        return
     if reference.value is not None:
         yield _value_row(result, reference, one)
+    elif reference.least:
+        yield _least_row(result, reference, one)
     elif len(reference.formulas) > 1:
         yield _envelope_row(result, reference, one)
     elif reference.formulas:
@@ -116,13 +124,42 @@ def _envelope_row(result: CaseResult, reference: Reference, one: PointResult) ->
                 reasons)  # fmt: skip
 
 
+def _least_row(result: CaseResult, reference: Reference, one: PointResult) -> Row:
+    """Against the smallest of the formulas' values, which may be an upper bound alone."""
+    estimate = one.estimate(reference.quantity)
+    values, reasons, doubts = [], [], []
+    for formula in reference.formulas:
+        value, why = _evaluated(formula, one)
+        reasons += [f"{formula.title}: {text}" for text in why]
+        values.append(value)
+        if formula.doubt:
+            doubts.append(f"{formula.title}: {formula.doubt}")
+    value = min(values)
+    low = -math.inf if reference.at_most else value
+    if reasons or math.isnan(math.fsum(values)):
+        verdict = Verdict.OUT_OF_RANGE
+    elif doubts:
+        verdict, reasons = Verdict.UNJUDGED, doubts
+    else:
+        verdict = _compared(estimate, low, value)
+        smallest = reference.formulas[values.index(value)]
+        reasons = [f"The least is {smallest.title}."] if len(values) > 1 else []
+    title = " and ".join(formula.title for formula in reference.formulas)
+    title = f"at most {title}" if reference.at_most else f"the least of {title}"
+    source = "; ".join(dict.fromkeys(formula.source for formula in reference.formulas))
+    return _row(result, reference, one, estimate, title, (value, low, value), verdict, source,
+                reasons)  # fmt: skip
+
+
 def _value_row(result: CaseResult, reference: Reference, one: PointResult) -> Row:
     value = float(reference.value or 0.0)
     estimate = one.estimate(reference.quantity)
+    low = -math.inf if reference.at_most else value
     # A mean that should be 0 has no relative error; its own error decides.
     few = estimate.runs < LEAST_RUNS
-    verdict = Verdict.FEW if few else _compared(estimate, value, value, demand_known=bool(value))
-    return _row(result, reference, one, estimate, f"{value:g}", (value, value, value), verdict,
+    verdict = Verdict.FEW if few else _compared(estimate, low, value, demand_known=bool(value))
+    title = f"at most {value:g}" if reference.at_most else f"{value:g}"
+    return _row(result, reference, one, estimate, title, (value, low, value), verdict,
                 reference.source, [])  # fmt: skip
 
 
@@ -183,6 +220,14 @@ def _measured_rows(result: CaseResult) -> Iterator[Row]:
                            (found.value, low, high), verdict, measured.source, reasons)  # fmt: skip
 
 
+def _holds_at(reference: Reference, result: CaseResult, point: Point) -> bool:
+    labels = {
+        factor.name: level.label
+        for factor, level in zip(result.case.study.factors, point.levels, strict=True)
+    }
+    return all(labels[name] in wanted for name, wanted in reference.where.items())
+
+
 def _same_conditions(labels: dict[str, str], conditions) -> bool:
     for name, text in conditions.items():
         try:
@@ -205,7 +250,10 @@ def _compared(estimate: Estimate, low: float, high: float, *, demand_known: bool
     """Whether the interval of the mean meets that of the reference."""
     if math.isnan(estimate.mean) or math.isnan(estimate.interval):
         return Verdict.FEW
-    if demand_known and not is_known(estimate):
+    # What lies below a bound with all of its interval needs not be known better.
+    below = math.isinf(low) and estimate.runs >= LEAST_RUNS
+    below = below and estimate.mean + estimate.interval <= high
+    if demand_known and not below and not is_known(estimate):
         return Verdict.FEW
     apart = max(low - estimate.mean, estimate.mean - high, 0.0)
     return Verdict.WITHIN if apart <= estimate.interval else Verdict.OUTSIDE

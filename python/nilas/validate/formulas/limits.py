@@ -1,0 +1,72 @@
+"""What limits the load of ice on a fixed structure other than its strength."""
+
+from __future__ import annotations
+
+from nilas.validate.formulas.formula import Formula, Input
+
+_THICKNESS = Input("thickness", "m", "thickness of the ice")
+_ICE_DENSITY = Input("ice_density", "kg/m^3", "density of the ice")
+
+
+def _driving_force(
+    current_speed: float,
+    form: float,
+    skin: float,
+    ice_area: float,
+    front_width: float,
+    side_length: float,
+    thickness: float,
+    ice_density: float,
+    water_density: float,
+) -> float:
+    draught = thickness * ice_density / water_density
+    rubbed = ice_area + side_length * draught
+    pressed = front_width * draught
+    return 0.5 * water_density * current_speed**2 * (skin * rubbed + form * pressed)
+
+
+def _swept_momentum(
+    speed: float, concentration: float, thickness: float, width: float, ice_density: float
+) -> float:
+    return ice_density * thickness * concentration * width * speed**2
+
+
+LIMITS = (
+    Formula(
+        "driving-force",
+        "Driving force of a current",
+        "load of ice at rest that a current holds against a structure",
+        "N",
+        "the limit by force of ISO 19906; here the quadratic drag of the water on ice at rest",
+        "no constants but the drag coefficients of the scene",
+        (
+            Input("current_speed", "m/s", "speed of the current"),
+            Input("form", "1", "coefficient of form drag"),
+            Input("skin", "1", "coefficient of skin friction"),
+            Input("ice_area", "m^2", "area of the ice that the current drives"),
+            Input("front_width", "m", "width of all faces of floes that meet the current"),
+            Input("side_length", "m", "length of all faces of floes along the current"),
+            _THICKNESS,
+            _ICE_DENSITY,
+            Input("water_density", "kg/m^3", "density of the water"),
+        ),
+        _driving_force,
+    ),
+    Formula(
+        "swept-momentum",
+        "Momentum of the swept ice",
+        "load that gives all ice in the way of a structure its speed once",
+        "N",
+        "momentum balance: rho_i h C w V^2",
+        "no constants",
+        (
+            Input("speed", "m/s", "speed of the structure through the ice"),
+            Input("concentration", "1", "area of ice over area", high=1.0),
+            _THICKNESS,
+            Input("width", "m", "width of the structure at the waterline"),
+            _ICE_DENSITY,
+        ),
+        _swept_momentum,
+        doubt="It is no bound: floes clear before they reach the speed, and others are hit twice.",
+    ),
+)
