@@ -48,8 +48,8 @@ INPUTS = {
     "keinonen": ICEBREAKER
     | {"speed": 1.0, "flare_angle": 1.4, "buttock_angle": 0.5, "ice_temperature": -10.0},
     "driving-force": {
-        "current_speed": 1.0, "form": 1.0, "skin": 0.005, "ice_area": 1200.0, "front_width": 120.0,
-        "side_length": 480.0, "thickness": 0.8, "ice_density": 920.0, "water_density": 1025.0,
+        "current_speed": 1.0, "form": 1.0, "skin": 0.005, "pieces": 40.0, "piece_length": 6.0,
+        "piece_width": 5.0, "thickness": 0.8, "ice_density": 920.0, "water_density": 1025.0,
     },
     "swept-momentum": {
         "speed": 0.5, "concentration": 0.7, "thickness": 0.8, "width": 20.0, "ice_density": 920.0,
@@ -220,13 +220,13 @@ def test_keinonen_gives_the_published_values_at_1_m_s():
 
 
 def test_the_driving_force_is_the_drag_of_the_ice():
-    # 1025 / 2 (0.005 (1200 + 480 0.718) + 120 0.718): draught 0.8 920 / 1025 = 0.718 m.
+    # 1025 / 2 (0.005 (1200 + 480 0.718) + 200 0.718): draught 0.8 920 / 1025 = 0.718 m.
     draught = 0.8 * 920 / 1025
-    expected = 512.5 * (0.005 * (1200 + 480 * draught) + 120 * draught)
+    expected = 512.5 * (0.005 * (1200 + 480 * draught) + 200 * draught)
     assert value("driving-force") == pytest.approx(expected)
-    assert FORMULAS["driving-force"].slope(INPUTS["driving-force"], "current_speed") == (
-        pytest.approx(2.0)
-    )
+    for name, slope in (("current_speed", 2.0), ("pieces", 1.0)):
+        found = FORMULAS["driving-force"].slope(INPUTS["driving-force"], name)
+        assert found == pytest.approx(slope)
 
 
 def test_the_swept_momentum_is_mass_flux_times_speed():

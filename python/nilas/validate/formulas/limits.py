@@ -12,17 +12,18 @@ def _driving_force(
     current_speed: float,
     form: float,
     skin: float,
-    ice_area: float,
-    front_width: float,
-    side_length: float,
+    pieces: float,
+    piece_length: float,
+    piece_width: float,
     thickness: float,
     ice_density: float,
     water_density: float,
 ) -> float:
     draught = thickness * ice_density / water_density
-    rubbed = ice_area + side_length * draught
-    pressed = front_width * draught
-    return 0.5 * water_density * current_speed**2 * (skin * rubbed + form * pressed)
+    rubbed = piece_length * (piece_width + 2 * draught)
+    pressed = piece_width * draught
+    drag = 0.5 * water_density * current_speed**2 * (skin * rubbed + form * pressed)
+    return pieces * drag
 
 
 def _swept_momentum(
@@ -37,15 +38,15 @@ LIMITS = (
         "Driving force of a current",
         "load of ice at rest that a current holds against a structure",
         "N",
-        "the limit by force of ISO 19906; here the quadratic drag of the water on ice at rest",
+        "the limit by force of ISO 19906; here the quadratic drag of the water on pieces at rest",
         "no constants but the drag coefficients of the scene",
         (
             Input("current_speed", "m/s", "speed of the current"),
             Input("form", "1", "coefficient of form drag"),
             Input("skin", "1", "coefficient of skin friction"),
-            Input("ice_area", "m^2", "area of the ice that the current drives"),
-            Input("front_width", "m", "width of all faces of floes that meet the current"),
-            Input("side_length", "m", "length of all faces of floes along the current"),
+            Input("pieces", "1", "number of rectangular pieces, along the current each"),
+            Input("piece_length", "m", "their side along the current"),
+            Input("piece_width", "m", "their side across the current"),
             _THICKNESS,
             _ICE_DENSITY,
             Input("water_density", "kg/m^3", "density of the water"),
