@@ -74,7 +74,7 @@ def is_known(estimate: Estimate) -> bool:
 
 
 def _point_rows(result: CaseResult, reference: Reference, one: PointResult) -> Iterator[Row]:
-    if not _holds_at(reference, result, one.point):
+    if not holds_at(reference, result, one.point):
         return
     if reference.value is not None:
         yield _value_row(result, reference, one)
@@ -220,7 +220,8 @@ def _measured_rows(result: CaseResult) -> Iterator[Row]:
                            (found.value, low, high), verdict, measured.source, reasons)  # fmt: skip
 
 
-def _holds_at(reference: Reference, result: CaseResult, point: Point) -> bool:
+def holds_at(reference: Reference, result: CaseResult, point: Point) -> bool:
+    """Whether a point has the levels of factors to which a reference is confined."""
     labels = {
         factor.name: level.label
         for factor, level in zip(result.case.study.factors, point.levels, strict=True)

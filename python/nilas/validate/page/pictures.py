@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 from nilas.study.describe.factor import Factor
 from nilas.study.results.drawing import (
@@ -19,7 +20,7 @@ from nilas.study.results.drawing import (
 from nilas.validate.formulas import Formula, FormulaError
 from nilas.validate.judge.simulated import CaseResult, PointResult
 from nilas.validate.judge.slopes import Slope
-from nilas.validate.judge.verdicts import Row, Verdict
+from nilas.validate.judge.verdicts import Row, Verdict, holds_at
 
 # Colours of verdicts, which the page uses too.
 COLOURS = {
@@ -30,6 +31,38 @@ COLOURS = {
     Verdict.UNJUDGED: SOFT,
 }
 _MARKS = ("s", "^", "v", "D", "P", "X", "<", ">")
+# A bound that is higher than this many times the runs is named in the legend alone.
+_SIGHT = 3.0
+
+
+@dataclass(frozen=True)
+class _Line:
+    """What a quantity is drawn beside: the smallest value of ``formulas``.
+
+    ``points``: numbers of the points at which it holds.
+    """
+
+    title: str
+    formulas: tuple[Formula, ...]
+    points: frozenset[int]
+    is_bound: bool = False
+
+    @property
+    def doubted(self) -> bool:
+        return any(formula.doubt for formula in self.formulas)
+
+    def value(self, one: PointResult) -> float:
+        values = [_value(formula, one) for formula in self.formulas]
+        if one.point.number not in self.points or any(map(math.isnan, values)):
+            return math.nan
+        return min(values)
+
+    def scale(self, values: Sequence[float], highest: float) -> list[float]:
+        """The values that the picture must hold: none in doubt, and no bound far above the runs."""
+        finite = [value for value in values if math.isfinite(value)]
+        if self.doubted:
+            return []
+        return [one for one in finite if one <= _SIGHT * highest] if self.is_bound else finite
 
 
 def plot_factors(result: CaseResult, quantity: str) -> str | None:
@@ -38,9 +71,9 @@ def plot_factors(result: CaseResult, quantity: str) -> str | None:
     if not factors or not any(one.values.get(quantity) for one in result.points):
         return None
     fig, axes = grid_of_axes(len(factors), sharey=False)
-    formulas = _formulas(result, quantity)
+    lines = _lines(result, quantity)
     for factor, one in zip(factors, axes, strict=True):
-        _plot_factor(one, result, factor, quantity, formulas)
+        _plot_factor(one, result, factor, quantity, lines)
     unit = result.unit(quantity)
     for place, one in enumerate(axes):
         if place % 3 == 0:
@@ -97,7 +130,7 @@ def plot_slopes(slopes: Sequence[Slope], name: str) -> str | None:
                   markerfacecolor="none", label=title)  # fmt: skip
     axes.set_yticks(range(len(shown)), [one.factor for one in shown])
     axes.invert_yaxis()
-    axes.set_xlabel("slope d ln load / d ln factor")
+    axes.set_xlabel("slope d ln quantity / d ln factor")
     axes.axvline(0.0, color=INK, linewidth=0.7)
     _legend(fig, *axes.get_legend_handles_labels())
     return svg_of(fig, title=f"slopes of {name}")
@@ -108,18 +141,26 @@ def _legend(fig, handles, labels) -> None:
     fig.legend(handles, labels, loc="upper center", bbox_to_anchor=(0.5, 0.0), ncol=4)
 
 
-def _formulas(result: CaseResult, quantity: str) -> list[Formula]:
-    found = [
-        formula
-        for reference in result.case.references
-        if reference.quantity == quantity
-        for formula in reference.formulas
-    ]
+def _lines(result: CaseResult, quantity: str) -> list[_Line]:
+    found = []
+    for reference in result.case.references:
+        if reference.quantity != quantity or not reference.formulas:
+            continue
+        points = frozenset(
+            one.point.number for one in result.points if holds_at(reference, result, one.point)
+        )
+        if reference.least:
+            kind = "At most" if reference.at_most else "The least of"
+            titles = " and ".join(formula.title for formula in reference.formulas)
+            title = f"{kind}: {titles}"
+            found.append(_Line(title, reference.formulas, points, reference.at_most))
+        else:
+            found += [_Line(formula.title, (formula,), points) for formula in reference.formulas]
     return list(dict.fromkeys(found))
 
 
 def _plot_factor(
-    axes, result: CaseResult, factor: Factor, quantity: str, formulas: Sequence[Formula]
+    axes, result: CaseResult, factor: Factor, quantity: str, lines: Sequence[_Line]
 ) -> None:
     points = result.along(factor.name)
     place = [one.name for one in result.case.study.factors].index(factor.name)
@@ -130,17 +171,21 @@ def _plot_factor(
         (one.point.levels[place].number or 0.0) if numeric else float(number)
         for number, one in enumerate(points)
     ]
-    top = 0.0
-    for number, formula in enumerate(formulas):
-        y = [_value(formula, one) for one in points]
-        # A formula in doubt does not set the scale.
-        style = ("--" if formula.doubt else "-") if numeric else "none"
-        top = max([top, *([] if formula.doubt else filter(math.isfinite, y))])
-        axes.plot(x, y, linestyle=style, marker=_MARKS[number % len(_MARKS)], linewidth=1.2,
-                  markersize=4, color=PARTS[number % len(PARTS)], markerfacecolor="none",
-                  label=formula.title)  # fmt: skip
     estimates = [one.estimate(quantity) for one in points]
     error = [one.interval if math.isfinite(one.interval) else 0.0 for one in estimates]
+    known = [one.mean + width for one, width in zip(estimates, error, strict=True)]
+    highest = max(filter(math.isfinite, known), default=0.0)
+    low = [one.mean - width for one, width in zip(estimates, error, strict=True)]
+    top, bottom = highest, min([0.0, *filter(math.isfinite, low)])
+    for number, line in enumerate(lines):
+        y = [line.value(one) for one in points]
+        inside = line.scale(y, highest)
+        top, bottom = max([top, *inside]), min([bottom, *inside])
+        title = f"{line.title} (above)" if line.is_bound and not inside else line.title
+        style = ("--" if line.doubted else "-") if numeric else "none"
+        axes.plot(x, y, linestyle=style, marker=_MARKS[number % len(_MARKS)], linewidth=1.2,
+                  markersize=4, color=PARTS[number % len(PARTS)], markerfacecolor="none",
+                  label=title)  # fmt: skip
     axes.errorbar(x, [one.mean for one in estimates], yerr=error, fmt="o", color=INK, capsize=4,
                   linewidth=1.6, label="runs", zorder=5)  # fmt: skip
     for position, one in zip(x, points, strict=True):
@@ -150,9 +195,7 @@ def _plot_factor(
         axes.set_xticks(x, [one.point.levels[place].label for one in points])
         axes.margins(x=0.3)
     axes.set_xlabel(factor.title)
-    known = [one.mean + width for one, width in zip(estimates, error, strict=True)]
-    top = max([top, *filter(math.isfinite, known)])
-    axes.set_ylim(bottom=min(0.0, axes.get_ylim()[0]), top=1.1 * top if top > 0 else None)
+    axes.set_ylim(bottom=1.1 * bottom, top=1.1 * top if top > 0 else None)
 
 
 def _value(formula: Formula, one: PointResult) -> float:
