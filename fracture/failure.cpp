@@ -50,8 +50,15 @@ double farthest_radius(const BendingState& state) {
   return state.radii.empty() ? state.radius : *std::max_element(state.radii.begin(), state.radii.end());
 }
 
-std::vector<std::vector<Vec2>> bending_cracks(const BendingState& state) {
-  return state.radii.empty() ? wedge_cracks(state.fan) : wedge_cracks(state.fan, state.radii);
+/// The cracks of a bending failure, up to the free edges. If these go on beyond the sides of the fan, the cracks that
+/// end there follow, for floes that cannot be cut along the former.
+std::vector<std::vector<std::vector<Vec2>>> bending_cracks(const std::vector<Vec2>& outline,
+                                                           const BendingState& state) {
+  const std::vector<std::vector<Vec2>> to_sides =
+      state.radii.empty() ? wedge_cracks(state.fan) : wedge_cracks(state.fan, state.radii);
+  std::vector<std::vector<std::vector<Vec2>>> ways{to_free_edges(outline, state.fan, to_sides)};
+  if (ways.front() != to_sides) ways.push_back(to_sides);
+  return ways;
 }
 
 /// The ice ahead of the load, up to the first edge.
@@ -178,7 +185,8 @@ std::vector<Failure> FailureRules::failures(const std::vector<Vec2>& outline, co
       found.push_back({FailureKind::splitting, split->ratio, contact.edge_point, 0, {std::move(split->crack)}});
   const double bends = std::min(state.radial, state.wedges);
   if (settings_.bending && bends >= least && reaches_beyond(outline, state))
-    found.push_back({FailureKind::bending, bends, state.fan.apex, farthest_radius(state), bending_cracks(state)});
+    for (auto& cracks : bending_cracks(outline, state))
+      found.push_back({FailureKind::bending, bends, state.fan.apex, farthest_radius(state), std::move(cracks)});
   std::stable_sort(found.begin(), found.end(), [](const Failure& f, const Failure& g) { return f.ratio > g.ratio; });
   return found;
 }

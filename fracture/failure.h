@@ -105,6 +105,7 @@ class FailureRules {
   /// middle is farther from the edge than link() and half its depth.
   ///   bending: both stages reach the strength, and the ice reaches farther than R_bending from the contact in the
   ///     middle of at least one wedge. A tongue therefore breaks off, however narrow it is across the load.
+  ///     Cracks that end on the sides of the fan come behind those that go on to free edges.
   ///   geometric: the edge cracks radially, and split_along takes the chord along the load's direction. The floe then
   ///     bends only where that cut is refused.
   ///   lefm: F_Y reaches the force that the floe bears. The larger ratio wins against bending: small floes split first.

@@ -19,8 +19,9 @@ constexpr double k_least_level = 0.05;
 /// The least force of a point that counts, over that of the strongest [-].
 constexpr double k_least_force = 1e-12;
 
-/// The groups of loads: the strongest load that is in no group yet, with all others within `link` [m] of it.
-std::vector<Group> linked(const std::vector<PointLoad>& loads, double link) {
+/// The groups of loads: the strongest load that is in no group yet, with all others within reach of it.
+std::vector<Group> linked(const std::vector<Vec2>& outline, const std::vector<PointLoad>& loads,
+                          const LoadReach& reach) {
   double strongest_force = 0;
   for (const PointLoad& load : loads) strongest_force = std::max(strongest_force, load.force.norm());
   std::vector<std::size_t> order;
@@ -31,10 +32,13 @@ std::vector<Group> linked(const std::vector<PointLoad>& loads, double link) {
   });
   std::vector<Group> groups;
   while (!order.empty()) {
-    const PointLoad& strongest = loads[order.front()];
+    const Vec2 strongest = loads[order.front()].x.head<2>();
     Group group;
     std::erase_if(order, [&](std::size_t k) {
-      if ((loads[k].x - strongest.x).head<2>().norm() > link) return false;
+      const Vec2 x = loads[k].x.head<2>();
+      if ((x - strongest).norm() > reach.link) return false;
+      if ((x - strongest).norm() > reach.widest_gap && way_outside(outline, strongest, x) > reach.widest_gap)
+        return false;
       group.push_back(loads[k]);
       return true;
     });
@@ -97,10 +101,10 @@ EdgeContact contact_of(const std::vector<Vec2>& outline, const Group& group) {
 }  // namespace
 
 std::vector<EdgeContact> edge_contacts(const std::vector<Vec2>& outline, const std::vector<PointLoad>& loads,
-                                       double link) {
-  NILAS_DEMAND(outline.size() >= 3 && link >= 0);
+                                       const LoadReach& reach) {
+  NILAS_DEMAND(outline.size() >= 3 && reach.link >= 0 && reach.widest_gap >= 0);
   std::vector<EdgeContact> contacts;
-  for (const Group& group : linked(loads, link)) contacts.push_back(contact_of(outline, group));
+  for (const Group& group : linked(outline, loads, reach)) contacts.push_back(contact_of(outline, group));
   return contacts;
 }
 

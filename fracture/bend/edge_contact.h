@@ -30,12 +30,18 @@ struct EdgeContact {
   double speed = 0;           ///< Mean of the points' speeds, weighted with the force [m/s].
 };
 
-/// The loads on a floe. The strongest point and all points within `link` [m] of it in the plane are one load; the
-/// strongest of the remaining points begins the next. Width and depth are those of an even pressure with the same
+/// How far the points of one load reach from the strongest of them.
+struct LoadReach {
+  double link = 0;        ///< Distance in the plane [m].
+  double widest_gap = 0;  ///< Length of the way between both that is not in the ice, as across a notch [m].
+};
+
+/// The loads on a floe. The strongest point and all points within reach of it are one load; the strongest of the
+/// remaining points begins the next. Width and depth are those of an even pressure with the same
 /// second moments: sqrt(12) times the force's radius of gyration. Where not all points represent areas, they are the
 /// distance of the outermost points. `outline` is counter-clockwise. Points without force do not count. Throws
-/// ContractError for fewer than three vertices or a negative `link`.
+/// ContractError for fewer than three vertices or a negative reach.
 std::vector<EdgeContact> edge_contacts(const std::vector<Vec2>& outline, const std::vector<PointLoad>& loads,
-                                       double link);
+                                       const LoadReach& reach);
 
 }  // namespace nilas::fracture

@@ -7,6 +7,7 @@
 #include "core/base/error.h"
 #include "core/geometry/mass_properties.h"
 #include "core/geometry/orientation.h"
+#include "core/geometry/polygon.h"
 #include "fracture/cut/smallest_box.h"
 #include "fracture/cut/snap_lines.h"
 
@@ -43,6 +44,42 @@ SplitVerdict judge_pieces(const std::vector<CutPiece>& pieces, const SplitRule& 
   for (const CutPiece& piece : pieces)
     if (smallest_box(piece.outline).aspect() > rule.max_aspect) return SplitVerdict::too_narrow;
   return SplitVerdict::splits;
+}
+
+/// The sorted shares of the way from `from` to `to` at which edges of the outline cross it.
+std::vector<double> crossings_between(const std::vector<Vec2>& outline, const Vec2& from, const Vec2& to) {
+  std::vector<double> found;
+  const Vec2 way = to - from;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Vec2 start = outline[i] - from, edge = outline[(i + 1) % outline.size()] - outline[i];
+    const double turn = cross2(way, edge);
+    if (turn == 0) continue;
+    const double share = cross2(start, edge) / turn, along = cross2(start, way) / turn;
+    if (share > 0 && share <= 1 && along >= 0 && along < 1) found.push_back(share);
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+/// The points of a circumferential crack beyond the side of its fan, in chords that turn by `turn` [rad] each, from
+/// the end of the side to just outside the ice. There are none where no ice is beyond the side, or where a quarter of a
+/// turn does not lead out of it.
+std::vector<Vec2> beyond_side(const std::vector<Vec2>& outline, const Vec2& apex, const Vec2& end, double turn) {
+  constexpr double k_least_turn = 1e-3;  // [rad] Edges that turn away by less count as straight.
+  constexpr double k_overshoot = 1e-6;   // share of a chord by which the crack passes the edge, so as to reach it
+  const Vec2 arm = end - apex;
+  const auto turned = [&](double angle) -> Vec2 { return apex + Eigen::Rotation2Dd(angle) * arm; };
+  Vec2 from = turned(std::copysign(k_least_turn, turn));
+  if (!geometry::contains(outline, from)) return {};
+  std::vector<Vec2> points;
+  for (int k = 1; (k - 1) * std::abs(turn) < k_pi / 2; ++k) {
+    const Vec2 to = turned(k * turn);
+    const std::vector<double> out = crossings_between(outline, from, to);
+    points.push_back(out.empty() ? to : Vec2(from + (out.front() + k_overshoot) * (to - from)));
+    if (!out.empty()) return points;
+    from = to;
+  }
+  return {};
 }
 
 /// The number of chords per wedge that keep the tolerance: a chord over the angle a is off by radius (1 - cos(a / 2)).
@@ -149,6 +186,33 @@ std::vector<std::vector<Vec2>> wedge_cracks(const WedgeFan& fan) {
   std::vector<std::vector<Vec2>> cracks;
   for (int i = 0; i <= last; i += steps) cracks.push_back({fan.apex, arc[i]});
   cracks.push_back(std::move(arc));
+  return cracks;
+}
+
+double way_outside(const std::vector<Vec2>& outline, const Vec2& from, const Vec2& to) {
+  bool inside = geometry::contains(outline, from);
+  double share = 0, outside = 0;
+  std::vector<double> ends = crossings_between(outline, from, to);
+  ends.push_back(1);
+  for (const double end : ends) {
+    if (!inside) outside += end - share;
+    share = end;
+    inside = !inside;
+  }
+  return outside * (to - from).norm();
+}
+
+std::vector<std::vector<Vec2>> to_free_edges(const std::vector<Vec2>& outline, const WedgeFan& fan,
+                                             std::vector<std::vector<Vec2>> cracks) {
+  NILAS_DEMAND(fan.wedges > 0 && static_cast<int>(cracks.size()) == fan.wedges + 2);
+  const std::vector<Vec2> right = beyond_side(outline, fan.apex, cracks.back().front(), -fan.wedge_angle);
+  const std::vector<Vec2> left = beyond_side(outline, fan.apex, cracks.back().back(), fan.wedge_angle);
+  std::vector<Vec2>& around = cracks.back();
+  around.insert(around.begin(), right.rbegin(), right.rend());
+  around.insert(around.end(), left.begin(), left.end());
+  // Ice between the fan's side and the free edge belongs to the outermost wedge.
+  if (!left.empty()) cracks.erase(cracks.end() - 2);
+  if (!right.empty()) cracks.erase(cracks.begin());
   return cracks;
 }
 

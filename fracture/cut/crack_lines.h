@@ -35,6 +35,9 @@ std::vector<Chord> chords(const std::vector<Vec2>& outline, const Vec2& point, d
 /// The shortest of chords(): the candidate of Metrikin (2014), section 5.2. Nothing where the line misses the outline.
 std::optional<Chord> shortest_chord(const std::vector<Vec2>& outline, const Vec2& point, double angle);
 
+/// The length of the straight way between two points that is not in the outline [m].
+double way_outside(const std::vector<Vec2>& outline, const Vec2& from, const Vec2& to);
+
 enum class SplitVerdict {
   splits,
   no_chord,       ///< The line does not pass through the ice.
@@ -94,6 +97,12 @@ std::vector<std::vector<Vec2>> wedge_cracks(const WedgeFan& fan);
 /// into 2 `wedges` equal angles and include its two sides. The radius and arc_tolerance of the fan are not used. Also
 /// throws ContractError unless there are 2 `wedges` + 1 radii, all positive.
 std::vector<std::vector<Vec2>> wedge_cracks(const WedgeFan& fan, const std::vector<double>& radii);
+/// The same cracks with a circumferential one that goes on beyond the sides of the fan where they run into the ice, as
+/// in a notch, until it meets an edge. The radial crack on such a side is left out. A crack that ended at the side
+/// would leave the outermost wedge with ice on its back, which locks the whole fan. Where an end does not meet an edge
+/// within a quarter of a turn it stays as it is. Throws ContractError unless `cracks` are those of the fan.
+std::vector<std::vector<Vec2>> to_free_edges(const std::vector<Vec2>& outline, const WedgeFan& fan,
+                                             std::vector<std::vector<Vec2>> cracks);
 /// The direction of ray k of these rays, from x [rad].
 double ray_angle(const WedgeFan& fan, int k);
 

@@ -77,8 +77,8 @@ std::vector<FloeBreak> Breaking::take_breaks(const bodies::Bodies& bodies, const
     for (PointLoad& load : loads) load.force /= step;
     FloeBreak found{id, {}};
     const LocalIce around = rules_.has_curved_cracks() ? local_ice(ice, b) : LocalIce();
-    const double link = rules_.link(ice_at(bodies, ice, b, {0, 0}, &around));
-    for (const EdgeContact& contact : edge_contacts(outline, loads, link))
+    const IceAtContact middle = ice_at(bodies, ice, b, {0, 0}, &around);
+    for (const EdgeContact& contact : edge_contacts(outline, loads, {rules_.link(middle), middle.thickness}))
       for (Failure& way : ways_under(contact, id, outline, ice_at(bodies, ice, b, contact.edge_point, &around)))
         found.ways.push_back(std::move(way));
     if (found.ways.empty()) continue;

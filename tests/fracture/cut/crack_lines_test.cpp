@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/geometry/mass_properties.h"
+#include "core/geometry/polygon.h"
 #include "tests/support/cut_judge.h"
 
 namespace crack_lines_test {
@@ -160,12 +161,72 @@ TEST(WedgeCracks, BreakFromARandomEdgePoint) {
     const Outline outline = sound_outline(any_shape, 1, Vec2::Zero(), random);
     const Vec2 near = at_angle(random.uniform(0.5, 2), random.uniform(0, 2 * k_pi));
     const WedgeFan fan = fan_across(outline, near, random.uniform(0.3, 2), random.uniform(0.02, 0.5), 0.01);
-    const CutResult cut = cut_outline(outline, wedge_cracks(fan));
+    const CutResult cut = cut_outline(outline, to_free_edges(outline, fan, wedge_cracks(fan)));
     ASSERT_FALSE(cut.pieces.empty()) << i << cut.message;
     EXPECT_LE(area_error(outline, cut.pieces), 1e-12 * geometry::polygon_moments(outline).area);
     pieces += static_cast<int>(cut.pieces.size());
   }
   EXPECT_GT(pieces, 600);
+}
+
+/// Whether piece k can move in some direction without pressing on any other.
+bool can_leave(const std::vector<CutPiece>& pieces, std::size_t k) {
+  constexpr double k_way = 1e-3;
+  constexpr int k_directions = 360;
+  const auto blocked = [&](const Vec2& way) {
+    for (std::size_t other = 0; other < pieces.size(); ++other) {
+      if (other == k) continue;
+      for (const Outline& fixed : geometry::convex_pieces(pieces[other].outline))
+        for (Outline moved : geometry::convex_pieces(pieces[k].outline)) {
+          for (Vec2& p : moved) p += way;
+          if (geometry::convex_overlap(moved, fixed) > 1e-3 * k_way) return true;
+        }
+    }
+    return false;
+  };
+  for (int i = 0; i < k_directions; ++i)
+    if (!blocked(k_way * at_angle(1, 2 * k_pi * i / k_directions))) return true;
+  return false;
+}
+
+int number_that_can_leave(const std::vector<CutPiece>& pieces) {
+  int number = 0;
+  for (std::size_t k = 0; k < pieces.size(); ++k) number += can_leave(pieces, k) ? 1 : 0;
+  return number;
+}
+
+/// The base of a notch that is shorter than two radii: both sides of the fan run into the limbs. The crack needs one
+/// chord more on either side.
+TEST(WedgeCracks, GoOnToTheFreeEdgesOfANotch) {
+  const WedgeFan fan = fan_across(k_u_shape, {1, 1.5}, k_pi / 4, 0.6, 0.6);
+  ASSERT_EQ(fan.wedges, 4);
+  const CutResult ends_at_sides = cut_outline(k_u_shape, wedge_cracks(fan));
+  const CutResult ends_at_edges = cut_outline(k_u_shape, to_free_edges(k_u_shape, fan, wedge_cracks(fan)));
+  ASSERT_EQ(ends_at_sides.pieces.size(), 5u);
+  ASSERT_EQ(ends_at_edges.pieces.size(), 5u);
+  EXPECT_EQ(number_that_can_leave(ends_at_sides.pieces), 0) << "the outermost wedges have the limbs on their backs";
+  EXPECT_EQ(number_that_can_leave(ends_at_edges.pieces), 2) << "the outermost wedges slide off along their far faces";
+  EXPECT_LE(area_error(k_u_shape, ends_at_edges.pieces), 1e-14);
+}
+
+TEST(WedgeCracks, StayAsTheyAreWhereNoIceIsBeyondTheSides) {
+  for (const Vec2& near : {Vec2(0.5, 0), Vec2(0, 0)}) {
+    const WedgeFan fan = fan_across(k_square, near, k_pi / 4, 0.4, 0.4);
+    EXPECT_EQ(to_free_edges(k_square, fan, wedge_cracks(fan)), wedge_cracks(fan));
+  }
+}
+
+/// Within a quarter of a turn, the crack meets even a narrow slit. The two radial cracks along the slit's base go.
+TEST(WedgeCracks, MeetANarrowSlit) {
+  const Outline slit{{-4, -4}, {4, -4}, {4, 4}, {0.1, 4}, {0.1, 0}, {-0.1, 0}, {-0.1, 4}, {-4, 4}};
+  const WedgeFan fan = fan_across(slit, {0, 0}, k_pi / 4, 1, 1);
+  EXPECT_EQ(to_free_edges(slit, fan, wedge_cracks(fan)).size(), 4u);
+}
+
+TEST(WayOutside, IsThatAcrossANotch) {
+  EXPECT_NEAR(way_outside(k_u_shape, {2, 0.5}, {2, 2.5}), 1, 1e-15);
+  EXPECT_EQ(way_outside(k_u_shape, {0.5, 0.5}, {0.5, 3}), 0);
+  EXPECT_NEAR(way_outside(k_u_shape, {2, -1}, {2, 0.5}), 1, 1e-15) << "from outside";
 }
 
 TEST(WedgeCracks, DemandAFanThatMakesSense) {
@@ -174,6 +235,7 @@ TEST(WedgeCracks, DemandAFanThatMakesSense) {
   round.wedges = 6;
   exact.arc_tolerance = 0;
   for (const WedgeFan& fan : {none, round, exact}) EXPECT_THROW(wedge_cracks(fan), ContractError);
+  EXPECT_THROW(to_free_edges(k_square, three_wedges(0.1), {}), ContractError);
 }
 
 }  // namespace crack_lines_test
