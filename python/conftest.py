@@ -10,6 +10,7 @@ from typing import Any
 import pytest
 
 import nilas
+from nilas.loads.series import LoadSeries
 
 SCENES = Path(__file__).parent / "tests" / "scenes"
 
@@ -54,6 +55,15 @@ def small_run(small_folder: Path) -> nilas.Run:
 
 
 @pytest.fixture
+def long_load() -> LoadSeries:
+    """A load of 2000 s at random, whose neighbours resemble each other."""
+    import numpy as np
+
+    noise = np.random.default_rng(1).exponential(size=20001)
+    return LoadSeries(noise[1:] + noise[:-1], 0.0, 0.1, 0.1)
+
+
+@pytest.fixture
 def floe_shapefile(tmp_path: Path) -> Path:
     """Two floes of 2 m and 1 m, with their thickness."""
     pyshp = pytest.importorskip("shapefile", reason="needs pyshp (python3-pyshp of Debian)")
@@ -90,6 +100,7 @@ DOCTEST_NAMES: dict[str, tuple[str, Callable[[Any], Any]]] = {
     "breaking_run": ("breaking_folder", nilas.Run),
     "example_shapefile": ("floe_shapefile", lambda file: file),
     "example_study": ("study_file", lambda file: file),
+    "example_load": ("long_load", lambda load: load),
 }
 
 

@@ -35,6 +35,10 @@ if TYPE_CHECKING:
     from nilas.exchange.fclib import FclibProblem as FclibProblem
     from nilas.exchange.fclib import read_fclib as read_fclib
     from nilas.exchange.shapefile import field_from_shapefile as field_from_shapefile
+    from nilas.loads.ice_ahead import ice_ahead as ice_ahead
+    from nilas.loads.ice_ahead import load_and_ice_ahead as load_and_ice_ahead
+    from nilas.loads.peaks import load_peaks as load_peaks
+    from nilas.loads.spectrum import load_spectrum as load_spectrum
     from nilas.program import Failed as Failed
     from nilas.program import NotFound as NotFound
     from nilas.program import call as call
@@ -80,6 +84,11 @@ _HOMES = {
     "Runs": "nilas.results.runs",
     "UnfinishedRun": "nilas.results.folder",
     "runs": "nilas.results.runs",
+    # statistics of loads
+    "ice_ahead": "nilas.loads.ice_ahead",
+    "load_and_ice_ahead": "nilas.loads.ice_ahead",
+    "load_peaks": "nilas.loads.peaks",
+    "load_spectrum": "nilas.loads.spectrum",
     # exchange with other programs
     "FclibProblem": "nilas.exchange.fclib",
     "field_from_shapefile": "nilas.exchange.shapefile",
