@@ -33,13 +33,13 @@ SECTIONS = {
 }
 READING_ORDER = {
     "howto": ["write-a-scene", "full-scale", "prepare-a-hull", "place-the-vessel", "tow-with-six-cells",
-              "pods-rudders-barges", "rods", "ice-fields", "crushing", "breaking", "resume-and-long-runs", "ice-load", "trust-a-step",
+              "pods-rudders-barges", "rods", "ice-fields", "crushing", "breaking", "resume-and-long-runs", "ice-load", "load-statistics", "trust-a-step",
               "contact-forces", "compare-settings", "validate", "check-the-program", "one-contact-problem", "compare-solvers"],
     "reference": ["scene", "outputs", "command-line", "conventions", "scales"],
     "theory": ["contact", "dynamics", "vessel", "hull", "water", "ice-field", "fracture", "fracture-crushing",
-               "fracture-breaking", "fracture-cutting", "load-error", "report", "compare"],
+               "fracture-breaking", "fracture-cutting", "load-error", "report", "load-statistics", "compare"],
     "evidence": ["verification", "validation", "validation-scenes", "validation-symmetry", "validation-breaking",
-                 "validation-contacts", "validation-solvers", "validation-loads", "validation-formulas", "limits", "limitations"],
+                 "validation-contacts", "validation-solvers", "validation-loads", "validation-statistics", "validation-formulas", "limits", "limitations"],
     "develop": ["architecture", "contributing"],
 }
 

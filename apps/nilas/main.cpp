@@ -109,6 +109,7 @@ int main(int argc, char** argv) {
   nilas::commands::add_problems(app, action);
   nilas::commands::add_study(app, action);
   nilas::commands::add_validate(app, action);
+  nilas::commands::add_statistics(app, action);
   nilas::commands::add_schema(app, action);
   if (const auto code = read_words(app, nilas::commands::one_set_each({argv + 1, argv + argc}))) return *code;
   return run_action(action);

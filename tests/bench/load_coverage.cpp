@@ -33,7 +33,7 @@ struct Course {
 
 Said said(const output::LoadError& error, const std::string& channel) {
   for (const output::ChannelError& c : error.channels)
-    if (c.channel == channel) return {c.mean, c.solver, c.chaos.value_or(0), c.total, error.solver_at_least};
+    if (c.channel == channel) return {c.mean, c.solver, c.chaos.value_or(0), c.total, error.at_least()};
   return {};
 }
 

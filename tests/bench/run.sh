@@ -10,11 +10,22 @@
 # `hull` prepares five hulls from users' files, stage by stage, and fails where one takes too long or is worse than recorded.
 # `replay` measures the replay of towing runs: its size, what it costs the run, and how fast its page is.
 # `cut` makes random cuts of floes, ordinary and adversarial, and shows what each kind keeps and costs.
-# usage: tests/bench/run.sh [packed|exact|front|loads|solvers|scaling|threads|collision|field|presawn|symmetry|level-ice|load-coverage|hull|cut|replay|kernels|help]      (through ./dev bench)
+# usage: tests/bench/run.sh [packed|exact|front|loads|solvers|scaling|threads|collision|field|presawn|symmetry|level-ice|load-coverage|load-statistics|hull|cut|replay|kernels|help]      (through ./dev bench)
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 bin=build/bench
 out=$bin/packed
+
+load_statistics() {
+  local scripts=tests/bench/load_statistics study
+  export PYTHONPATH=python
+  for study in "$scripts"/*.yaml; do
+    "$bin/nilas" study "$study" -j "${JOBS:-2}" --no-page
+  done
+  /usr/bin/python3 "$scripts/judge_coverage.py" runs/coverage-{pack,ship,breaking,drift}
+  /usr/bin/python3 "$scripts/judge_peaks.py" runs/peaks-{pack,ship,crushing,presawn}
+  /usr/bin/python3 "$scripts/judge_return_levels.py"
+}
 
 packed() {
   local rounds=${ROUNDS:-3} floes sweeps round
@@ -145,13 +156,14 @@ case "${1:-packed}" in
     swept=(contact/@solver=nsgs contact/@tolerance=1e-3)
     "$bin/bench_load_coverage" apps/scenes/level-ice.xml "${UNTIL:-4.6}" "${RUNS:-10}" \
       -- "${swept[@]}" contact/@max_iterations=200 -- "${swept[@]}" -- contact/@tolerance=1e-3 -- contact/@tolerance=1e-5 ;;
+  load-statistics) load_statistics ;;
   presawn) "$bin/bench_presawn" "${TWINS:-7}" "${THREADS:-2}" ;;
   symmetry) shift; "$bin/bench_presawn_symmetry" "${END:-10}" "$@" ;;
   hull) shift; "$bin/bench_hull" "$bin/hull" "${THREADS:-$(nproc)}" "$@" ;;
   replay) shift; tests/bench/replay/measure.sh "$bin/bench_replay_cost" "$bin/apps/view_page" "$bin/replay" "$@" ;;
   cut) "$bin/bench_cut_study" "${CUTS:-100000}" ;;
   kernels) shift; "$bin/bench_kernels" "$@" ;;
-  *) echo "usage: ./dev bench [packed|exact|front|loads|solvers|scaling|threads|collision [TABLE]|field|presawn|symmetry|level-ice [TABLE]|load-coverage|hull [SHAPE ...]|cut|replay [SIZE ...]|kernels]
+  *) echo "usage: ./dev bench [packed|exact|front|loads|solvers|scaling|threads|collision [TABLE]|field|presawn|symmetry|level-ice [TABLE]|load-coverage|load-statistics|hull [SHAPE ...]|cut|replay [SIZE ...]|kernels]
 collision: classes (against the oracle, BATCHES=100 of 1000 pairs in each class, CLASS=name for one), peers (beside FCL and
 Bullet, PAIRS=1000 of each class), steps (a field that moves, SIZES, STEPS=100), threads, swept (missed and false first
 contacts of PAIRS=100000 random pairs on their way), plates (PAIRS=100000 thin plates that fly at others, alone and in crowds),
@@ -160,7 +172,8 @@ TABLE all; field: packing time (SIZES); presawn: TWINS=n further
 runs of each scene (7), with pieces moved by up to a micrometre; symmetry: END=s of the scenes (10), solvers as
 auto=1e-8 in place of the five shown; level-ice: loads (thicknesses and speeds, beside Lindqvist, with a picture),
 steps, meshes, field (broken ice that may and may not break), TWINS=n (2); load-coverage: whether what single runs say of their mean
-load holds in level ice, RUNS=10 of each setting until UNTIL=4.6 s; hull: wedge, cone, moon-pool, semi-submersible, ship-with-bulb,
+load holds in level ice, RUNS=10 of each setting until UNTIL=4.6 s; load-statistics: convergence of peaks, coverage of stated
+errors and of return levels, on JOBS=2 cores, goes on where it was stopped; hull: wedge, cone, moon-pool, semi-submersible, ship-with-bulb,
 on THREADS (all cores), ends with 1 where 18 000 triangles take over 60 s or parts stand further off than recorded; cut: CUTS=100000 random cuts of floes; replay: sizes 100, 1000 and 10000 floes, in Chromium;
 ROUNDS=n: how often packed (3), threads and collision peers (5) are measured; THREADS=n;
 LIMIT=s: seconds that a solver has for a problem (solvers 5, scaling 60) or a scene (exact 600, MuJoCo in it 300);

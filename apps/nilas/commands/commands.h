@@ -25,6 +25,7 @@ void add_view(CLI::App& app, Action& action);
 void add_problems(CLI::App& app, Action& action);
 void add_study(CLI::App& app, Action& action);
 void add_validate(CLI::App& app, Action& action);
+void add_statistics(CLI::App& app, Action& action);
 void add_schema(CLI::App& app, Action& action);
 
 /// Checks with messages of our own, because those of CLI11 are hard to read.

@@ -61,6 +61,17 @@ std::string interpreter() {
                   " cannot be started; NILAS_PYTHON may name another interpreter");
 }
 
+/// Adds a command that a module of the package carries out, with options of its own.
+void add_module(CLI::App& app, Action& action, const char* name, const std::string& module, const char* what) {
+  auto* command = app.add_subcommand(name, what);
+  command->prefix_command();
+  command->set_help_flag();
+  command->callback([&action, command, module] {
+    const std::vector<std::string> words = command->remaining();
+    action = [module, words]() -> int { become_module(module, words); };
+  });
+}
+
 }  // namespace
 
 void add_study(CLI::App& app, Action& action) {
@@ -72,15 +83,15 @@ void add_study(CLI::App& app, Action& action) {
 }
 
 void add_validate(CLI::App& app, Action& action) {
-  auto* command = app.add_subcommand("validate",
-                                     "Judges loads by published formulas, measured runs and scale laws. "
-                                     "`nilas validate --help` lists its options.");
-  command->prefix_command();
-  command->set_help_flag();
-  command->callback([&action, command] {
-    const std::vector<std::string> words = command->remaining();
-    action = [words]() -> int { become_module("nilas.validate", words); };
-  });
+  add_module(app, action, "validate", "nilas.validate",
+             "Judges loads by published formulas, measured runs and scale laws. "
+             "`nilas validate --help` lists its options.");
+}
+
+void add_statistics(CLI::App& app, Action& action) {
+  add_module(app, action, "statistics", "nilas.loads",
+             "States return levels of load peaks, spectra, and how the load follows the ice ahead, of one run or of "
+             "several. `nilas statistics --help` lists its options.");
 }
 
 }  // namespace nilas::commands

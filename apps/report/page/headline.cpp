@@ -117,6 +117,7 @@ std::vector<std::string> limits(const RunFindings& found) {
   const output::StepLoadError step = output::step_load_error_of(found.run.summary);
   if (step.has_any() && !step.is_trusted()) text.push_back(output::step_load_text(step));
   if (!load.peak_depends.empty()) text.push_back(load.peak_depends);
+  if (load.on_step) text.push_back(output::figures_to_use(*load.on_step, load.error_at_least));
   text.emplace_back(
       "The error does not cover other ice of the same kind. Run other seeds (--seed) and compare the means.");
   return text;

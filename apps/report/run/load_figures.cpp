@@ -53,6 +53,11 @@ void take_summary(const Json& ice, const Json& window, const RunData& run, BodyL
   load.across = component_from(across);
   load.along.peak.filter = load.across.peak.filter = ice.at("peaks").at("filter_s");
   load.peak_depends = ice.at("peaks").at("raw_depends_on");
+  if (ice.at("peaks").contains("paired_steps")) {
+    const Json& falls = ice.at("peaks").at("paired_steps");
+    load.on_step = output::StepDependence{falls.at("p99_falls_by_1"), falls.at("filtered_peak_falls_by_1"),
+                                          falls.at("raw_peak_falls_by_1"), falls.at("rigid")};
+  }
   load.window = window_from(window, run);
 }
 
@@ -72,6 +77,7 @@ void compute(const RunData& run, std::optional<double> ramp_end, const std::vect
   const bool broke = run.broke_before(load.window.to);
   load.along = output::component_load(load.series, load.window, start, h, filter, broke);
   load.across = output::component_load(across, load.window, start, h, filter, broke);
+  load.on_step = output::step_dependence(load.window.of(load.series), h, filter, true);
   load.chance_alone = true;
 }
 
@@ -90,7 +96,8 @@ BodyLoad vessel_load(RunData& run, const RunShapes* shapes) {
   load.series = run.vessel[k_along];
   const bool told = run.summary.contains("ice_load") && run.attempt("The load of the summary", [&] {
     take_summary(run.summary.at("ice_load"), run.summary.at("window"), run, load);
-    load.error_at_least = run.summary.at("load_error").at("solver_at_least").get<bool>();
+    const Json& error = run.summary.at("load_error");
+    load.error_at_least = error.at("solver_at_least").get<bool>() || error.value("law_at_least", false);
   });
   const auto ramp_end = shapes != nullptr ? shapes->info.ramp_end : std::nullopt;
   if (!told) compute(run, ramp_end, run.vessel[k_across_column], length_of(shapes, ""), load);

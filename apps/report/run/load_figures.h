@@ -17,11 +17,12 @@ struct BodyLoad {
   output::LoadWindow window;
   output::ComponentLoad along, across;
   bool touched = false;
-  bool error_at_least = false;  ///< the error of the mean is a lower bound
-  bool told = false;            ///< the figures are those of summary.json
-  bool chance_alone = false;    ///< the error of the mean holds the effect of chance alone
-  std::string peak_depends;     ///< what the peak of one step depends on; empty: not known
-  std::vector<double> series;   ///< load along the course of every step [N]
+  bool error_at_least = false;                    ///< the error of the mean is a lower bound
+  bool told = false;                              ///< the figures are those of summary.json
+  bool chance_alone = false;                      ///< the error of the mean holds the effect of chance alone
+  std::string peak_depends;                       ///< what the peak of one step depends on; empty: not known
+  std::optional<output::StepDependence> on_step;  ///< of the load along the course; empty: not known
+  std::vector<double> series;                     ///< load along the course of every step [N]
 
   bool is_vessel() const { return name.empty(); }
   /// Whether the means over the halves of the window differ by more than their errors.

@@ -10,6 +10,7 @@
 #include "core/output/loads/load_statistics.h"
 #include "core/output/loads/load_window.h"
 #include "core/output/loads/peak.h"
+#include "core/output/loads/step_dependence.h"
 
 namespace nilas::output {
 
@@ -40,14 +41,15 @@ struct TowForce {
 
 struct IceLoad {
   LoadWindow window;
-  double filter = 0;      ///< averaging time of filtered peaks [s]
-  double step = 0;        ///< [s]
-  bool touched = false;   ///< true if ice pressed on it at least once; for a vessel, within the window
-  bool rigid = true;      ///< true if some ice meets the hull as a rigid body
-  bool elastic = false;   ///< true if some contacts of the scene are elastic
-  ComponentLoad along;    ///< positive astern
-  ComponentLoad across;   ///< positive to port
-  double in_largest = 0;  ///< share of the impulse along the course in 1 % of the steps
+  double filter = 0;       ///< averaging time of filtered peaks [s]
+  double step = 0;         ///< [s]
+  bool touched = false;    ///< true if ice pressed on it at least once; for a vessel, within the window
+  bool rigid = true;       ///< true if some ice meets the hull as a rigid body
+  bool elastic = false;    ///< true if some contacts of the scene are elastic
+  ComponentLoad along;     ///< positive astern
+  ComponentLoad across;    ///< positive to port
+  double in_largest = 0;   ///< share of the impulse along the course in 1 % of the steps
+  StepDependence on_step;  ///< of the load along the course
   std::optional<TowForce> tow;
 
   /// Whether the raw peak along the course is an impact of at most two steps, of more than twice the mean, that nothing

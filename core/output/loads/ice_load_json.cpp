@@ -51,7 +51,12 @@ Json peaks_json(const IceLoad& load) {
           {"raw_depends_on", raw_peak_depends_on(load)},
           {"raw_is_impulse_over_step", load.peak_is_impulse_over_step()},
           {"part_of_impulse_in_largest_percent", load.in_largest},
-          {"impacts_dominate", load.impacts_dominate()}};
+          {"impacts_dominate", load.impacts_dominate()},
+          {"paired_steps",
+           {{"p99_falls_by_1", load.on_step.p99},
+            {"filtered_peak_falls_by_1", load.on_step.filtered},
+            {"raw_peak_falls_by_1", load.on_step.raw},
+            {"rigid", load.on_step.rigid}}}};
 }
 
 }  // namespace

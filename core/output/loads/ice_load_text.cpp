@@ -83,11 +83,17 @@ std::string halves_line(const ComponentLoad& load, const LoadSides& sides) {
 
 std::string error_text(const LoadError& error) {
   const ChannelError& load = error.channels[error.headline];
-  std::string text = fmt::format("solver {}{}, contact law {}", error.solver_at_least ? "at least " : "",
-                                 force_text(load.solver), force_text(load.law));
+  std::string text = fmt::format("solver {}{}, contact law {}{}", error.solver_at_least ? "at least " : "",
+                                 force_text(load.solver), error.law_at_least ? "at least " : "", force_text(load.law));
   if (load.chaos) text += fmt::format(", chance in this ice {}", force_text(*load.chaos));
   text += load.chaos ? ". The effect of the time step is not known"
                      : ". The effects of chance and the time step are not known";
+  if (load.chaos && !error.from_twins)
+    text +=
+        ". One run cannot know how chaotic its ice is, and takes all fast changes of the load as chance: --twins "
+        "measures it";
+  if (error.law_at_least)
+    text += ". A law other than contact/@law=\"coulomb\" also moves the ice differently, which is not in the +-";
   if (error.solver_at_least)
     text += fmt::format(
         ". In {} of the window's steps the solver residual was above the scene's tolerance{}; the effect on the "
@@ -155,14 +161,15 @@ std::string ice_load_lines(const IceLoad& load, const LoadError& error) {
     text = account_line("ice load", "none: no ice pressed on the hull in the window");
     text += account_line("  window", window_text(load));
   } else {
-    text = account_line("ice load", fmt::format("{}, {}{}", mean_text(load.along, k_astern, error.solver_at_least),
-                                                mean_text(load.across, k_to_port, error.solver_at_least),
+    text = account_line("ice load", fmt::format("{}, {}{}", mean_text(load.along, k_astern, error.at_least()),
+                                                mean_text(load.across, k_to_port, error.at_least()),
                                                 error.from_twins ? "; means over the run and its perturbed runs" : ""));
     text += account_line("  window", window_text(load));
     text += account_line("  deviation", fmt::format("{} along, {} across", force_text(load.along.statistics.std),
                                                     force_text(load.across.statistics.std)));
     text += peak_lines(load, k_astern, k_to_port);
     text += account_line("  sources of the +-", error_text(error));
+    text += account_line("  to be used", figures_to_use(load.on_step, error.at_least()));
     text += halves_line(load.along, k_astern) + halves_line(load.across, k_to_port);
   }
   if (load.tow) text += tow_lines(*load.tow);
@@ -177,8 +184,8 @@ std::string structure_lines(const StructureLoad& structure) {
                                          mean_text(ice.across, k_across_drift), ice.window.from, ice.window.to)) +
          account_line("  deviation", fmt::format("{} along, {} across", force_text(ice.along.statistics.std),
                                                  force_text(ice.across.statistics.std))) +
-         peak_lines(ice, k_along, k_across) + halves_line(ice.along, k_along_drift) +
-         halves_line(ice.across, k_across_drift);
+         peak_lines(ice, k_along, k_across) + account_line("  to be used", figures_to_use(ice.on_step, false)) +
+         halves_line(ice.along, k_along_drift) + halves_line(ice.across, k_across_drift);
 }
 
 }  // namespace nilas::output

@@ -146,6 +146,7 @@ std::optional<LoadError> load_error(const LoadRecord& run, const LoadResiduals& 
   out.share_short = residuals.share_short(run.window, run.ice_broke);
   out.solver_at_least = out.share_short > k_many;
   out.headline = headline_of(out.channels);
+  out.law_at_least = out.channels[out.headline].law > 0;
   return out;
 }
 

@@ -51,9 +51,13 @@ struct LoadError {
   std::size_t headline = 0;      ///< index of the channel ice_resistance_N, where there is one
   double share_short = 0;        ///< share of the window's steps that were not solved well enough
   bool solver_at_least = false;  ///< true if these are so many that the errors `solver` and `total` are lower bounds
+  bool law_at_least = false;     ///< true if the law errs: what that does to the motion of the ice is not in `law`
   bool from_twins = false;       ///< true if the mean is over several runs
   bool chaos_from_twins = false;
   bool ice_broke = false;  ///< true if ice broke before the window's end: the load then has a long memory
+
+  /// Whether the errors `total` are lower bounds.
+  bool at_least() const { return solver_at_least || law_at_least; }
 };
 
 /// Load channels of a run, with one value per step.

@@ -60,6 +60,7 @@ Json load_error_json(const LoadError& error, const TwinStatistics* twins) {
           {"solver_short_share", error.share_short},
           {"ice_broke", error.ice_broke},
           {"law_N", headline.law},
+          {"law_at_least", error.law_at_least},
           {"chaos_N", or_null(headline.chaos)},
           {"step_N", nullptr},
           {"known", known},

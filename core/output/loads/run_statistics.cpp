@@ -251,7 +251,9 @@ std::optional<IceLoad> RunStatistics::ice_load(const TwinStatistics* twins) cons
   load.across = component("ice_side_N");
   load.touched = load.along.statistics.max > 0 || load.across.statistics.max > 0;
   load.filter = load.along.peak.filter;
-  load.in_largest = share_of_largest_percent(load.window.of(series_of("ice_resistance_N")));
+  const std::vector<double> along = load.window.of(series_of("ice_resistance_N"));
+  load.in_largest = share_of_largest_percent(along);
+  load.on_step = step_dependence(along, h_, load.filter, load.rigid);
   if (mean_tow(load.window)) {
     const LoadStatistics tow = load_statistics(load.window.of(tow_));
     TowForce& force = load.tow.emplace();
@@ -296,8 +298,10 @@ std::vector<StructureLoad> RunStatistics::structure_loads() const {
     load.ice.along = load.loads[names.size() - k_num_course_loads].second;
     load.ice.across = load.loads.back().second;
     load.ice.filter = load.ice.along.peak.filter;
-    load.ice.in_largest =
-        share_of_largest_percent(load.ice.window.of(structure_series_[(k + 1) * names.size() - k_num_course_loads]));
+    const std::vector<double> along =
+        load.ice.window.of(structure_series_[(k + 1) * names.size() - k_num_course_loads]);
+    load.ice.in_largest = share_of_largest_percent(along);
+    load.ice.on_step = step_dependence(along, h_, load.ice.filter, load.ice.rigid);
     all.push_back(std::move(load));
   }
   return all;

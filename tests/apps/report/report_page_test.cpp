@@ -170,6 +170,18 @@ TEST_F(ReportPage, ALoadThatIsNotSteadyIsSaidToBe) {
   expect_refusal("run run", 2, "is named twice");
 }
 
+TEST_F(ReportPage, FiguresThatDependOnTheStepAreNotToBeUsed) {
+  Json summary = Json::parse(read_text(in("run/summary.json")));
+  summary["ice_load"]["peaks"]["paired_steps"] = {
+      {"p99_falls_by_1", 0.01}, {"filtered_peak_falls_by_1", 0.02}, {"raw_peak_falls_by_1", 0.4}, {"rigid", false}};
+  folder.write("run/summary.json", summary.dump());
+  const std::string page = page_of("run");
+  EXPECT_TRUE(mentions(page, "the filtered peak and the 99th percentile of the steps. Do not use the raw peak (40 %"));
+  summary["ice_load"]["peaks"].erase("paired_steps");
+  folder.write("run/summary.json", summary.dump());
+  EXPECT_FALSE(mentions(page_of("run"), "Do not use the raw peak")) << "a run of an earlier version";
+}
+
 /// Cut tables beside a whole summary, and a summary that lacks what single sections show.
 TEST_F(ReportPage, ACutTableIsNamedAndASectionMayLackItsKeys) {
   EXPECT_TRUE(mentions(page_of("run"), "call: nilas view run.")) << "the path as it was given";

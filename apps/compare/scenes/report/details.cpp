@@ -1,8 +1,11 @@
 /// The further results of a comparison in words.
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "apps/compare/scenes/report/answer.h"
 #include "apps/compare/scenes/report/paired_text.h"
+#include "core/output/loads/step_dependence.h"
 #include "core/output/loads/step_load.h"
 
 namespace nilas::compare {
@@ -40,8 +43,23 @@ void say_peaks(const SceneReport& report, std::vector<std::string>& lines) {
                   "load by {}, and the largest load by {}.",
                   name, window_text(report), change(m.load_std, found.reference.std),
                   change(m.load_p99, found.reference.p99), change(m.load_max, found.reference.max)));
+  const auto is_close = [](const Estimate& of, const Estimate& reference) {
+    return std::abs(of.mean / reference.mean - 1) < output::StepDependence::k_converged;
+  };
+  const bool p99 = is_close(m.load_p99, found.reference.p99), largest = is_close(m.load_max, found.reference.max);
+  lines.push_back(fmt::format("At {:.0f} % as the bound, {} of this setting may be used{}.",
+                              100 * output::StepDependence::k_converged,
+                              p99 && largest ? "the 99 % load and the largest load"
+                              : p99          ? "the 99 % load"
+                              : largest      ? "the largest load"
+                                             : "neither the 99 % load nor the largest load",
+                              p99 == largest ? ""
+                              : p99          ? ", the largest load not"
+                                             : ", the 99 % load not"));
   lines.push_back(fmt::format(
-      "For a peak, run {} with nilas run for several seeds and quote the filtered peak that it prints.", name));
+      "For a peak, run {} with nilas run for several seeds and quote the filtered peak that it prints, or take their "
+      "peaks together by nilas statistics.",
+      name));
 }
 
 /// How often the estimated error of a run's load, which `what` names, was as large as the error that was measured.

@@ -182,5 +182,15 @@ TEST(LoadError, NothingWithoutAVessel) {
   EXPECT_FALSE(load_error({{}, {}, {0, 1, 0, 100, ""}}, {}, nullptr).has_value()) << "of a run with steps";
 }
 
+TEST(LoadError, OfALawThatErrsIsALowerBound) {
+  const Series series = all_channels(std::vector<double>(100, 7));
+  const auto exact = load_error(series.record(), residuals_of(100, 1, 0), nullptr);
+  const auto other = load_error(series.record(), residuals_of(100, 1, -2), nullptr);
+  EXPECT_FALSE(exact->law_at_least || exact->at_least());
+  EXPECT_TRUE(other->law_at_least && other->at_least());
+  EXPECT_FALSE(other->solver_at_least) << "all steps were solved";
+  EXPECT_EQ(load_error_json(*other, nullptr)["law_at_least"], true);
+}
+
 }  // namespace load_error_test
 }  // namespace nilas::output

@@ -119,6 +119,7 @@ TEST(Answer, SaysWhyPeaksMustNotBeTakenAndWhatToDoInstead) {
   EXPECT_TRUE(says(lines,
                    "With \"newton\", over 2 to 6 s, the standard deviation of the load differs by +10 % from the "
                    "reference's, the 99 % load by +0 %, and the largest load by -50 %."));
+  EXPECT_TRUE(says(lines, "At 5 % as the bound, the 99 % load of this setting may be used, the largest load not."));
   EXPECT_TRUE(says(lines, "run \"newton\" with nilas run for several seeds and quote the filtered peak"));
   EXPECT_FALSE(says(lines, "Do not use single steps"));
 }
