@@ -148,7 +148,8 @@ LAYOUTS = {
         ("filtered peak [kN]", "{peak_kN}"),
     ],
     "level-ice-basin": [
-        ("test 303", "{source}"),
+        ("test", "{test}"),
+        ("load", "{source}"),
         ("down to 1.2 m, or crushing and bending [kN]", "{upper_kN}"),
         ("below, or submersion [kN]", "{lower_kN}"),
         ("mean load [kN]", "{mean_kN}"),
