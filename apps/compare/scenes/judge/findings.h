@@ -94,7 +94,7 @@ struct Merit {
   double error = 0, floor = 0;  ///< error and floor in the measure's unit; an error below the floor may be chance
   bool significant = false;     ///< the error lies above the floor
   bool dominated = false;       ///< another setting is no slower and no worse
-  std::optional<std::size_t> faulty_part;  ///< setting with a part of its changes whose error is too large
+  std::optional<std::size_t> faulty_part;  ///< setting with a part of its changes that is too far off
 };
 
 /// How fast an error falls with the step, the rest being the same.
@@ -116,7 +116,7 @@ struct Choice {
   std::optional<std::size_t> chosen;   ///< fastest setting within k_target of the reference, or within the floor
   std::optional<std::size_t> faster;   ///< fastest of those as accurate, but not significantly faster than `chosen`
   std::optional<std::size_t> deeper;   ///< faster still and as accurate, but with far deeper penetration
-  std::optional<std::size_t> by_luck;  ///< faster still and as accurate, but with a faulty part
+  std::optional<std::size_t> by_luck;  ///< the fastest of those as accurate, but with a faulty part
 };
 
 struct Findings {

@@ -55,8 +55,10 @@ std::vector<Merit> with_dominance(std::vector<Merit> merits) {
 }
 
 std::vector<Merit> with_faulty_parts(const Plan& plan, const Measure& measure, std::vector<Merit> merits) {
+  // A part that is as far off as the first setting shows no fault of its change.
+  const double own = merits.empty() || std::isnan(merits.front().error) ? 0 : merits.front().error;
   const auto at_fault = [&](const Merit& m) {
-    return complete(m) && m.significant && m.error > k_target * measure.scale;
+    return complete(m) && m.significant && m.error > own + k_target * measure.scale;
   };
   for (auto& whole : merits)
     for (const auto& part : merits)
@@ -84,8 +86,11 @@ Choice choose(const std::vector<Merit>& merits, const Measure& measure, double c
     const bool deep = m.penetration_max_m > deepest;
     (deep ? deeper : m.faulty_part ? lucky : enough).push_back(&m);
   }
-  if (enough.empty()) return choice;
   const auto by_time = [](const Merit* a, const Merit* b) { return a->time < b->time; };
+  if (enough.empty()) {
+    if (!lucky.empty()) choice.by_luck = (*std::min_element(lucky.begin(), lucky.end(), by_time))->setting;
+    return choice;
+  }
   const Merit& fastest = **std::min_element(enough.begin(), enough.end(), by_time);
   const double sure = significant_speed_ratio(time_spread);
   std::erase_if(enough, [&](const Merit* m) { return m->time > fastest.time * sure; });

@@ -17,7 +17,8 @@ std::vector<Merit> with_dominance(std::vector<Merit> merits);
 double significant_speed_ratio(double time_spread);
 
 /// Sets Merit::faulty_part: a setting that has only some of this one's changes from the first setting, and whose error
-/// is significant and above the target. A small error of both changes together may then be two errors that cancel.
+/// is significant and exceeds that of the first setting by more than the target. A small error of both changes together
+/// may then be two errors that cancel.
 std::vector<Merit> with_faulty_parts(const Plan& plan, const Measure& measure, std::vector<Merit> merits);
 
 /// Chooses the fastest setting that is accurate enough and has no faulty part. Among settings whose times do not differ

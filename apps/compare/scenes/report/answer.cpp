@@ -75,7 +75,11 @@ std::string recommendation(const SceneReport& report) {
     return fmt::format(
         "Keep the scene's own setting ({}): {}, and no other setting that is as accurate{} is "
         "significantly faster. It takes {} s of computing per simulated second.",
-        own_name, accuracy, found.choice.deeper ? " and lets bodies penetrate no deeper" : "", three_digits(own.time));
+        own_name, accuracy,
+        found.choice.by_luck  ? " by itself, not by chance,"
+        : found.choice.deeper ? " and lets bodies penetrate no deeper"
+                              : "",
+        three_digits(own.time));
   const std::string name = report.quoted_label(best.setting);
   return fmt::format(
       "Use {0}: {1}. {0} takes {2} s of computing per simulated second, and the scene's own setting ({3}) "
@@ -108,6 +112,10 @@ std::string no_recommendation(const SceneReport& report) {
         "No setting is recommended, because the effect of chance is not known: a perturbed run{} must be "
         "done first.",
         found.measure.is_load() ? " or a second realisation" : "");
+  if (found.choice.by_luck)
+    return fmt::format(
+        "No setting is recommended: within {} of {} are only combinations of which a part alone is far off.",
+        percent_text(k_target), scale_text(report));
   return fmt::format("No setting is recommended: none is within {} of {}.", percent_text(k_target), scale_text(report));
 }
 

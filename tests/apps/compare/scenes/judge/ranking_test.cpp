@@ -125,6 +125,20 @@ TEST(Choice, TakesACombinationWhosePartsAreFaultless) {
   EXPECT_FALSE(found.choice.by_luck);
 }
 
+TEST(Choice, CountsAPartAsFaultlessThatIsAsFarOffAsTheScenesOwn) {
+  Findings found = findings({merit(0, 2, 0.9), merit(1, 1, 0.95), merit(2, 1, 1.05), merit(3, 0.5, 0.05)});
+  found.merits = with_faulty_parts(plan_of_both(), found.measure, found.merits);
+  EXPECT_FALSE(found.merits[3].faulty_part);
+}
+
+TEST(Choice, NamesTheLuckyOneWhereNoOtherIsAccurate) {
+  Findings found = findings({merit(0, 2, 0.5), merit(1, 1, 0.5), merit(2, 1, 0.9), merit(3, 0.5, 0.05)});
+  found.merits = with_faulty_parts(plan_of_both(), found.measure, found.merits);
+  found.choice = choose(found.merits, found.measure, found.common_floor, found.time_spread);
+  EXPECT_FALSE(found.choice.chosen);
+  EXPECT_EQ(found.choice.by_luck, 3U);
+}
+
 TEST(Orders, AreSlopesOverThreeStepsThatTellAnError) {
   Plan plan;
   const CompareSetting own{"auto", "coulomb", "moreau", "projection", 0.04, 1e-6};
