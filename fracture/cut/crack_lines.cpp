@@ -72,7 +72,9 @@ std::vector<Vec2> beyond_side(const std::vector<Vec2>& outline, const Vec2& apex
   Vec2 from = turned(std::copysign(k_least_turn, turn));
   if (!geometry::contains(outline, from)) return {};
   std::vector<Vec2> points;
-  for (int k = 1; (k - 1) * std::abs(turn) < k_pi / 2; ++k) {
+  const int most =
+      static_cast<int>(std::ceil(k_pi / 2 / std::abs(turn) - 1e-6));  // a quarter of a turn in whole chords
+  for (int k = 1; k <= most; ++k) {
     const Vec2 to = turned(k * turn);
     const std::vector<double> out = crossings_between(outline, from, to);
     points.push_back(out.empty() ? to : Vec2(from + (out.front() + k_overshoot) * (to - from)));
@@ -190,16 +192,19 @@ std::vector<std::vector<Vec2>> wedge_cracks(const WedgeFan& fan) {
 }
 
 double way_outside(const std::vector<Vec2>& outline, const Vec2& from, const Vec2& to) {
-  bool inside = geometry::contains(outline, from);
+  constexpr double k_along_edge = 0.01;  // share of the way; a part that stays so near to an edge runs along it
+  const double length = (to - from).norm();
   double share = 0, outside = 0;
   std::vector<double> ends = crossings_between(outline, from, to);
   ends.push_back(1);
   for (const double end : ends) {
-    if (!inside) outside += end - share;
+    const Vec2 middle = from + 0.5 * (share + end) * (to - from);
+    if (!geometry::contains(outline, middle) &&
+        (nearest_edge_place(outline, middle).point - middle).norm() > k_along_edge * length)
+      outside += end - share;
     share = end;
-    inside = !inside;
   }
-  return outside * (to - from).norm();
+  return outside * length;
 }
 
 std::vector<std::vector<Vec2>> to_free_edges(const std::vector<Vec2>& outline, const WedgeFan& fan,

@@ -35,7 +35,8 @@ std::vector<Chord> chords(const std::vector<Vec2>& outline, const Vec2& point, d
 /// The shortest of chords(): the candidate of Metrikin (2014), section 5.2. Nothing where the line misses the outline.
 std::optional<Chord> shortest_chord(const std::vector<Vec2>& outline, const Vec2& point, double angle);
 
-/// The length of the straight way between two points that is not in the outline [m].
+/// The length of the straight way between two points that is not in the outline [m]. A part that runs along an edge, by
+/// less than a hundredth of the way beside it, counts as inside: contact points lie on edges, to within the gap.
 double way_outside(const std::vector<Vec2>& outline, const Vec2& from, const Vec2& to);
 
 enum class SplitVerdict {
@@ -100,7 +101,8 @@ std::vector<std::vector<Vec2>> wedge_cracks(const WedgeFan& fan, const std::vect
 /// The same cracks with a circumferential one that goes on beyond the sides of the fan where they run into the ice, as
 /// in a notch, until it meets an edge. The radial crack on such a side is left out. A crack that ended at the side
 /// would leave the outermost wedge with ice on its back, which locks the whole fan. Where an end does not meet an edge
-/// within a quarter of a turn it stays as it is. Throws ContractError unless `cracks` are those of the fan.
+/// within a quarter of a turn, rounded up to whole chords, it stays as it is. Throws ContractError unless `cracks` are
+/// those of the fan.
 std::vector<std::vector<Vec2>> to_free_edges(const std::vector<Vec2>& outline, const WedgeFan& fan,
                                              std::vector<std::vector<Vec2>> cracks);
 /// The direction of ray k of these rays, from x [rad].

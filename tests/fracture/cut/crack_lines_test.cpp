@@ -229,6 +229,13 @@ TEST(WayOutside, IsThatAcrossANotch) {
   EXPECT_NEAR(way_outside(k_u_shape, {2, -1}, {2, 0.5}), 1, 1e-15) << "from outside";
 }
 
+TEST(WayOutside, IsNoneAlongAnEdge) {
+  for (const double beside : {0.0, 1e-3, -1e-3, 1e-16}) {
+    EXPECT_EQ(way_outside(k_square, {0.2, -beside}, {0.9, -beside}), 0) << beside;
+    EXPECT_NEAR(way_outside(k_u_shape, {2, 1 + beside}, {2, 2 - beside}), 1 - 2 * beside, 3e-3) << "from edge to edge";
+  }
+}
+
 TEST(WedgeCracks, DemandAFanThatMakesSense) {
   WedgeFan none = three_wedges(0.1), round = none, exact = none;
   none.wedges = 0;
