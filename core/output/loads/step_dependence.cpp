@@ -31,11 +31,13 @@ StepDependence step_dependence(const std::vector<double>& series, double h, doub
   std::vector<double> pairs(series.size() / 2);
   if (pairs.empty()) return found;
   for (std::size_t k = 0; k < pairs.size(); ++k) pairs[k] = 0.5 * (series[2 * k] + series[2 * k + 1]);
+  const double width = std::max(filter, 2 * h);  // A pair of steps is the least over which pairs have means.
+  const double filtered_of_pairs = peak_of(pairs, 0, 2 * h, width).filtered;
+  if (series.size() % 2 == 1) pairs.push_back(series.back());  // so that a peak in the last step is no fall
   const LoadStatistics single = load_statistics(series), paired = load_statistics(pairs);
-  const double width = std::max(filter, 2 * h);  // both means are over the same time
   found.p99 = fall(single.p99, paired.p99);
   found.raw = fall(single.max, paired.max);
-  found.filtered = fall(peak_of(series, 0, h, filter).filtered, peak_of(pairs, 0, 2 * h, width).filtered);
+  found.filtered = fall(peak_of(series, 0, h, filter).filtered, filtered_of_pairs);
   return found;
 }
 

@@ -21,8 +21,8 @@ struct StepDependence {
 /// for fewer than two steps. `rigid`: as in the result.
 StepDependence step_dependence(const std::vector<double>& series, double h, double filter, bool rigid);
 
-/// Whole sentences that name the figures of a load to be used, and those not to be used. `at_least`: too many steps
-/// were not solved well enough, so the interval of the mean is a lower bound.
+/// Whole sentences that name the figures of a load to be used, and those not to be used. `at_least`: the interval of
+/// the mean is a lower bound, by the solver or by the law of contact.
 std::string figures_to_use(const StepDependence& dependence, bool at_least);
 
 }  // namespace nilas::output
