@@ -18,6 +18,8 @@ from nilas.results.run import Run
 
 _MOST_FRAMES = 200
 _LEAST_FRAMES = 12
+# Changes by less than this share of the largest value are rounding.
+_ROUNDING = 1e-9
 
 
 @dataclass(frozen=True)
@@ -130,13 +132,17 @@ def follow(ice: pd.Series, load: pd.Series, delays) -> FollowedIce:
     """Correlation of a load with the ice at an earlier time, for each delay [s].
 
     Both are series by time. The load is interpolated. The interval is that of Fisher's
-    transformation, with as many pairs as the memory of both series leaves independent.
+    transformation, with as many pairs as the memory of both series leaves independent. Raises
+    ``InputError`` where one of the series does not change.
 
     >>> time = np.arange(0.0, 400.0)
     >>> ice = pd.Series(np.random.default_rng(1).normal(size=400), index=time)
     >>> follow(ice, ice, [0.0]).table.correlation.round(6).tolist()
     [1.0]
     """
+    for series, name in ((ice, "ice ahead"), (load, "load")):
+        if np.ptp(series.to_numpy()) <= _ROUNDING * np.abs(series.to_numpy()).max():
+            raise InputError(f"The {name} does not change, so no correlation can be taken.")
     rows = {}
     for delay in delays:
         wanted = ice.index.to_numpy(dtype=float) + delay

@@ -122,7 +122,9 @@ def _events(
 def _between_runs(events: pd.DataFrame, durations: Sequence[float]) -> tuple[float, list[str]]:
     """By how much counts scatter between runs beyond chance, and sentences on what differs."""
     runs = len(durations)
-    if runs < 2 or events.empty:
+    if events.empty:
+        return 1.0, []
+    if runs < 2:
         return 1.0, ["All peaks are of one run, so the interval does not hold for other ice."]
     counts = np.bincount(events["run"], minlength=runs)
     expected = len(events) * np.array(durations) / sum(durations)
@@ -132,7 +134,8 @@ def _between_runs(events: pd.DataFrame, durations: Sequence[float]) -> tuple[flo
         remarks.append("The runs differ in how often peaks come; the interval is widened for it.")
     groups = [part["peak"].to_numpy() for _, part in events.groupby("run")]
     groups = [group for group in groups if len(group) >= _EVENTS_TO_COMPARE]
-    if len(groups) > 1 and stats.kruskal(*groups).pvalue < _SIGNIFICANT:
+    differ = len(groups) > 1 and np.ptp(np.concatenate(groups)) > 0
+    if differ and stats.kruskal(*groups).pvalue < _SIGNIFICANT:
         remarks.append(
             "The runs differ in how large their peaks are, so the interval is too narrow."
         )

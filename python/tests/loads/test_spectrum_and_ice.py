@@ -79,6 +79,15 @@ def test_a_load_that_follows_after_a_delay_is_found_there():
     assert best.low > 0.7 and best.high < 1
 
 
+def test_a_constant_series_gives_a_reason_instead_of_a_correlation():
+    times = 0.5 * np.arange(100)
+    still = pd.Series(0.8, index=times)
+    moving = pd.Series(noise(100, np.random.default_rng(4)), index=times)
+    for ice, load in ((still, moving), (moving, still)):
+        with pytest.raises(InputError, match="does not change"):
+            follow(ice, load, [0.0, 1.0])
+
+
 def test_polygons_are_cut_to_the_window():
     square = np.array([[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]])
     assert clipped_area(square, 10.0, 4.0) == pytest.approx(2.0)
