@@ -49,7 +49,7 @@ def judged(folder):
                         "size": size,
                         "error": run[side] - fine[side].mean(),
                         "stated": run[f"{side}_stated"],
-                        "at_least": bool(run.at_least),
+                        "at_least": bool(run.at_least) or bool(run.law_at_least),
                     }
                 )
     return pd.DataFrame(rows)

@@ -96,7 +96,8 @@ def figures_of(load, width):
 
 
 def percent(share):
-    return "" if np.isnan(share) else f"{100 * share:.2g}"
+    rounding = 1e-9
+    return "" if np.isnan(share) else f"{100 * share:.2g}" if abs(share) > rounding else "0"
 
 
 if __name__ == "__main__":

@@ -1,6 +1,6 @@
 """How often intervals of return levels hold the true level: a CSV table of synthetic samples.
 
-usage: judge_return_levels.py [SAMPLES]     default 400 for each row
+usage: judge_return_levels.py [SAMPLES]     default 300 for each row
 
 Excesses follow a generalised Pareto distribution of known shape, and their number is Poisson's.
 """
@@ -47,4 +47,4 @@ def row_of(shape, events, periods, samples):
 
 
 if __name__ == "__main__":
-    main(int(sys.argv[1]) if len(sys.argv) > 1 else 400)
+    main(int(sys.argv[1]) if len(sys.argv) > 1 else 300)
