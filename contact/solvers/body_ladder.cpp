@@ -31,7 +31,7 @@ struct Handover {
 };
 constexpr Handover k_handovers[] = {{1e-5, 100}, {1e-6, 120}};
 /// The same to a tolerance of at most k_strict from a start whose residual is at most k_near_start, as where a solved
-/// step is solved again [m/s]. From such a start the interior point takes a third less iterations, and Newton takes 6
+/// step is solved again [m/s]. From such a start the interior point takes a third fewer iterations, and Newton takes 6
 /// factorisations from 1e-6 m/s where it takes 23 from 1e-5 m/s.
 constexpr Handover k_near_handovers[] = {{1e-6, 100}, {1e-7, 120}};
 constexpr double k_strict = 1e-7, k_near_start = 1e-3;

@@ -4,7 +4,7 @@
 usage: tables.py [--check]
 
 A page marks the place of a table by two comments, `<!-- table: NAME -->` and `<!-- /table -->`. What stands between them
-is written by this script: the rows of data/NAME.csv in the layout of table_layouts.py, and a caption that says with which
+is written by this script: the rows of data/NAME.csv in the layout of table_layouts.py or load_layouts.py, and a caption that says with which
 revision and command they were measured. With --check nothing is written, and the exit code is 1 where a page differs
 from the data, a file of data/ is used by no page or lacks one of its keys, or a marker has no file.
 
@@ -24,7 +24,10 @@ import textwrap
 HERE = pathlib.Path(__file__).resolve().parent
 sys.dont_write_bytecode = True  # leaves no folder beside the pages
 sys.path.insert(0, str(HERE))
-from table_layouts import LAYOUTS  # noqa: E402  (it stands beside this script)
+from load_layouts import LAYOUTS as LOADS  # noqa: E402  (they stand beside this script)
+from table_layouts import LAYOUTS as OTHERS  # noqa: E402
+
+LAYOUTS = OTHERS | LOADS
 
 KEYS = ("command", "revision", "date", "machine")
 BLOCK = re.compile(r"<!-- table: (\S+) -->\n.*?<!-- /table -->", re.DOTALL)
