@@ -76,7 +76,7 @@ std::string recommendation(const SceneReport& report) {
         "Keep the scene's own setting ({}): {}, and no other setting that is as accurate{} is "
         "significantly faster. It takes {} s of computing per simulated second.",
         own_name, accuracy,
-        found.choice.by_luck  ? " by itself, not by chance,"
+        found.choice.by_luck  ? ", as a whole and in its parts,"
         : found.choice.deeper ? " and lets bodies penetrate no deeper"
                               : "",
         three_digits(own.time));
