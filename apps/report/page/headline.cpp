@@ -115,7 +115,7 @@ std::vector<std::string> limits(const RunFindings& found) {
       fmt::format("The window is {:.4g} s to {:.4g} s: {}.", load.window.from, load.window.to, load.window.reason));
   if (std::string unsolved = unsolved_text(found); !unsolved.empty()) text.push_back(std::move(unsolved));
   const output::StepLoadError step = output::step_load_error_of(found.run.summary);
-  if (step.has_any() && !step.is_trusted()) text.push_back(output::step_load_text(step));
+  if (step.is_doubted()) text.push_back(output::step_load_text(step));
   if (!load.peak_depends.empty()) text.push_back(load.peak_depends);
   if (load.on_step) text.push_back(output::figures_to_use(*load.on_step, load.error_at_least));
   text.emplace_back(

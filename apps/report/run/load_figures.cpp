@@ -55,8 +55,9 @@ void take_summary(const Json& ice, const Json& window, const RunData& run, BodyL
   load.peak_depends = ice.at("peaks").at("raw_depends_on");
   if (ice.at("peaks").contains("paired_steps")) {
     const Json& falls = ice.at("peaks").at("paired_steps");
-    load.on_step = output::StepDependence{falls.at("p99_falls_by_1"), falls.at("filtered_peak_falls_by_1"),
-                                          falls.at("raw_peak_falls_by_1"), falls.at("rigid")};
+    load.on_step =
+        output::StepDependence{falls.at("p99_falls_by_1"), falls.at("filtered_peak_falls_by_1"),
+                               falls.at("raw_peak_falls_by_1"), falls.at("rigid"), falls.value("doubted", false)};
   }
   load.window = window_from(window, run);
 }

@@ -56,7 +56,8 @@ Json peaks_json(const IceLoad& load) {
            {{"p99_falls_by_1", load.on_step.p99},
             {"filtered_peak_falls_by_1", load.on_step.filtered},
             {"raw_peak_falls_by_1", load.on_step.raw},
-            {"rigid", load.on_step.rigid}}}};
+            {"rigid", load.on_step.rigid},
+            {"doubted", load.on_step.doubted}}}};
 }
 
 }  // namespace

@@ -254,6 +254,7 @@ std::optional<IceLoad> RunStatistics::ice_load(const TwinStatistics* twins) cons
   const std::vector<double> along = load.window.of(series_of("ice_resistance_N"));
   load.in_largest = share_of_largest_percent(along);
   load.on_step = step_dependence(along, h_, load.filter, load.rigid);
+  load.on_step.doubted = step_load_error().is_doubted();
   if (mean_tow(load.window)) {
     const LoadStatistics tow = load_statistics(load.window.of(tow_));
     TowForce& force = load.tow.emplace();
@@ -302,6 +303,7 @@ std::vector<StructureLoad> RunStatistics::structure_loads() const {
         load.ice.window.of(structure_series_[(k + 1) * names.size() - k_num_course_loads]);
     load.ice.in_largest = share_of_largest_percent(along);
     load.ice.on_step = step_dependence(along, h_, load.ice.filter, load.ice.rigid);
+    load.ice.on_step.doubted = step_load_error().is_doubted();
     all.push_back(std::move(load));
   }
   return all;

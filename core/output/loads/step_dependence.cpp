@@ -51,7 +51,9 @@ std::string figures_to_use(const StepDependence& dependence, bool at_least) {
   };
   judge("the filtered peak", dependence.filtered);
   judge("the 99th percentile of the steps", dependence.p99);
-  judge("the raw peak", dependence.raw, !dependence.rigid);
+  // That single steps are in doubt is said with their errors, and is no matter of the time step.
+  if (!dependence.doubted || dependence.rigid || dependence.raw >= StepDependence::k_converged)
+    judge("the raw peak", dependence.raw, !dependence.rigid);
   std::string text = fmt::format("Use {}.", listed(good, "and"));
   if (!bad.empty())
     text += fmt::format(

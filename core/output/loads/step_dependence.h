@@ -9,10 +9,11 @@ namespace nilas::output {
 /// By how much figures of a load fall where its steps are averaged in pairs, as shares of the figures over single
 /// steps. A figure that has converged with the time step hardly changes.
 struct StepDependence {
-  double p99 = 0;       ///< 99th percentile of the absolute values
-  double filtered = 0;  ///< filtered peak
-  double raw = 0;       ///< raw peak
-  bool rigid = false;   ///< some ice meets the hull as a rigid body, so the raw peak never converges
+  double p99 = 0;        ///< 99th percentile of the absolute values
+  double filtered = 0;   ///< filtered peak
+  double raw = 0;        ///< raw peak
+  bool rigid = false;    ///< some ice meets the hull as a rigid body, so the raw peak never converges
+  bool doubted = false;  ///< second solutions do not bear out the load of single steps, such as the raw peak
 
   static constexpr double k_converged = 0.05;  ///< a figure that falls by less counts as converged
 };

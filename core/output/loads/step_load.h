@@ -25,6 +25,8 @@ struct StepLoadError {
     return checked > 0 && p95 <= k_trusted &&
            static_cast<double>(unsolved) <= k_unknown * static_cast<double>(checked + unsolved);
   }
+  /// Whether steps were checked, and are not to be trusted.
+  bool is_doubted() const { return has_any() && !is_trusted(); }
   static constexpr double k_trusted = 0.1, k_unknown = 0.1;
 };
 

@@ -49,6 +49,20 @@ TEST(StepDependence, OfRigidContactsNeverLetsTheRawPeakBeUsed) {
   EXPECT_NE(text.find("Do not use the raw peak (0 %): it depends on the time step."), std::string::npos) << text;
 }
 
+TEST(StepDependence, LeavesARawPeakOutThatSecondSolutionsDoNotBearOut) {
+  StepDependence found = step_dependence(std::vector<double>(100, 10), 0.01, 0.05, false);
+  found.doubted = true;
+  const std::string text = figures_to_use(found, false);
+  EXPECT_EQ(text.find("raw peak"), std::string::npos) << text;
+  found.raw = 0.3;
+  EXPECT_NE(figures_to_use(found, false).find("Do not use the raw peak (30 %)"), std::string::npos);
+}
+
+TEST(StepDependence, TakesTheLastOfAnOddNumberOfStepsByItself) {
+  const StepDependence found = step_dependence({1, 1, 1, 1, 9}, 0.01, 0.02, false);
+  EXPECT_EQ(found.raw, 0) << "a peak in the last step does not fall";
+}
+
 TEST(StepDependence, OfNoLoadAndOfOneStepIsZero) {
   for (const std::vector<double>& series : {std::vector<double>{}, {3}, {0, 0, 0, 0}}) {
     const StepDependence found = step_dependence(series, 0.01, 0.02, false);
