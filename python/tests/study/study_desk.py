@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import json
 import os
 import subprocess
 import sys
+import time
 from pathlib import Path
 
 PACKAGE = Path(__file__).resolve().parents[2]
@@ -19,6 +21,7 @@ seeds: 2
 responses:
   - {channel: ice_load.along.mean_N, name: load}
 """
+SLOW = STUDY + "set: {test/@steps: 25}\nrun: {checkpoint_every: 1}\n"
 
 
 class Desk:
@@ -61,3 +64,19 @@ class Desk:
 
     def table(self, out: str = "runs/trial", name: str = "study.csv") -> str:
         return (self.folder / out / name).read_text()
+
+
+def records(desk, out="runs/trial"):
+    """The records of all runs that ended, by their folders."""
+    return {
+        str(file.parent.relative_to(desk.folder / out / "runs")): json.loads(file.read_text())
+        for file in (desk.folder / out / "runs").rglob("record.json")
+    }
+
+
+def wait_for(condition, seconds=120.0):
+    """Returns once the condition holds, and fails after so many seconds."""
+    end = time.monotonic() + seconds
+    while not condition():
+        assert time.monotonic() < end, "nothing happened in time"
+        time.sleep(0.02)
