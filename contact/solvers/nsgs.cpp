@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "contact/problem/row_of.h"
+#include "contact/solvers/lanes/nsgs_lanes.h"
 #include "contact/solvers/shared/nsgs_sweep.h"
 #include "contact/solvers/shared/sweep_momentum.h"
 
@@ -17,19 +18,29 @@ class NsgsBodies : public RowSweeps {
       : RowSweeps(whole),
         facets_(whole.problem.facets),
         threads_(whole.threads),
-        blocks_(make_nsgs_contacts(rows_, island_)) {
-    if (has_momentum) momentum_.emplace(whole);
+        blocks_(make_nsgs_contacts(rows_, island_)),
+        turns_(rows_, island_, blocks_) {
+    if (has_momentum) momentum_.emplace(whole, turns_.alone(island_));
   }
 
   double sweep(bool backward) {
-    if (momentum_) momentum_->push();
-    return nsgs_sweep(rows_, island_, blocks_, facets_, backward, threads_);
+    if (momentum_) turns_.set_momentum(momentum_->push());
+    return nsgs_sweep(rows_, island_, blocks_, facets_, backward, threads_, turns_.exist() ? &turns_ : nullptr);
+  }
+  double law_map() {
+    turns_.keep_impulses(rows_);
+    return RowSweeps::law_map();
+  }
+  VecX impulses() {
+    turns_.keep_impulses(rows_);
+    return RowSweeps::impulses();
   }
 
  private:
   int facets_;
   int threads_;
   std::vector<NsgsContact> blocks_;
+  NsgsTurns turns_;
   std::optional<SweepMomentum> momentum_;
 };
 

@@ -5,7 +5,8 @@
 ///
 /// On a problem with bodies the velocities v = M^-1 (f + H r) are kept up to date, so that a sweep costs O(nc); on a
 /// local problem u_a is gathered over the row of W. W may be asymmetric. Contacts with b_N >= 0 that carry nothing cost
-/// one row (all three for ccp).
+/// one row (all three for ccp). In islands of 1000 contacts or more, four with Coulomb's law that share no block are
+/// solved at once, with the same bits (lanes/nsgs_lanes.h).
 /// Contraction per sweep: cos^2(pi/2n) for a column of n equal bodies, M/(M + m) for M on m: a first stage and a solver
 /// for loose fields; stacks, hyperstatic piles and heavy-on-light want another. Momentum (has_momentum) makes sweeps
 /// several times fewer there (shared/sweep_momentum.h).

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "contact/problem/row_of.h"
-#include "contact/solvers/shared/pgs_lanes.h"
+#include "contact/solvers/lanes/pgs_lanes.h"
 
 namespace nilas::solvers {
 

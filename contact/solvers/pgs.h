@@ -8,7 +8,7 @@
 ///   frictionless: r_N alone
 /// The rows of one contact see each other through its 3 x 3 block of W, which is the same as updating the velocities
 /// after every row. In islands of 200 contacts or more, four that share no block are visited at once, with the same
-/// bits (shared/pgs_lanes.h). Cost per sweep O(nc). Visited one by one, a contact with impulse takes about 25 ns and an
+/// bits (lanes/pgs_lanes.h). Cost per sweep O(nc). Visited one by one, a contact with impulse takes about 25 ns and an
 /// open one 7 ns.
 /// Contraction per sweep: cos^2(pi/2n) for a column of n equal bodies, M/(M + m) for M on m: use it for loose packings.
 /// Sources: Jourdan, Alart, Jean 1998 (Gauss-Seidel for frictional contact); Catto 2005 (rows on velocities); the disc

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace nilas::solvers {
 
@@ -12,22 +13,23 @@ constexpr double k_most_growth = 4;      ///< of the square of a sweep's length 
 
 }  // namespace
 
-SweepMomentum::SweepMomentum(const RowIsland& whole) : rows_(whole.rows), island_(whole.island) {
+SweepMomentum::SweepMomentum(const RowIsland& whole, std::vector<int> contacts)
+    : rows_(whole.rows), contacts_(std::move(contacts)) {
   std::size_t count = 0;
-  for (const int block : island_.blocks) {
+  for (const int block : whole.island.blocks) {
     const int size = whole.problem.block_size(block);
     blocks_.emplace_back(rows_.first_velocity[block], size);
     count += static_cast<std::size_t>(size);
   }
   for (Place* place : {&now_, &before_}) {
-    place->impulses.resize(3 * static_cast<std::size_t>(island_.last - island_.first));
+    place->impulses.resize(3 * contacts_.size());
     place->velocities.resize(count);
   }
 }
 
 void SweepMomentum::read(Place& place) const {
   double* impulse = place.impulses.data();
-  for (int k = island_.first; k < island_.last; ++k) impulse = std::copy_n(rows_.contacts[k].r, 3, impulse);
+  for (const int k : contacts_) impulse = std::copy_n(rows_.contacts[k].r, 3, impulse);
   double* velocity = place.velocities.data();
   for (const auto& [first, size] : blocks_) velocity = std::copy_n(rows_.velocities.data() + first, size, velocity);
 }
@@ -50,14 +52,14 @@ double SweepMomentum::next_beta() {
   return std::min(beta, k_most_momentum);
 }
 
-void SweepMomentum::push() {
+double SweepMomentum::push() {
   read(now_);
   const double beta = has_swept_ ? next_beta() : 0;
   has_swept_ = true;
   begun_ = now_.velocities;
   if (beta > 0) {
     const double *impulse = now_.impulses.data(), *old_impulse = before_.impulses.data();
-    for (int k = island_.first; k < island_.last; ++k)
+    for (const int k : contacts_)
       for (double& r : rows_.contacts[k].r) r += beta * (*impulse++ - *old_impulse++);
     double* begun = begun_.data();
     const double* old_velocity = before_.velocities.data();
@@ -65,6 +67,7 @@ void SweepMomentum::push() {
       for (int i = 0; i < size; ++i, ++begun) rows_.velocities[first + i] = *begun += beta * (*begun - *old_velocity++);
   }
   std::swap(now_, before_);
+  return beta;
 }
 
 }  // namespace nilas::solvers

@@ -16,14 +16,14 @@ namespace nilas::solvers {
 
 class SweepMomentum {
  public:
-  /// The island's rows must outlive this.
-  explicit SweepMomentum(const RowIsland& whole);
+  /// The island's rows must outlive this. `contacts`: places of those whose impulses stand in the rows.
+  SweepMomentum(const RowIsland& whole, std::vector<int> contacts);
 
-  /// Moves impulses and velocities of the rows, those that the last sweep left, to where the next begins.
-  void push();
+  /// Moves velocities and impulses of the rows, those that the last sweep left, to where the next begins. Returns beta.
+  double push();
 
  private:
-  /// Impulses of the island's contacts and velocities of its blocks, one after another.
+  /// Impulses of the contacts and velocities of the island's blocks, one after another.
   struct Place {
     std::vector<double> impulses, velocities;
   };
@@ -31,7 +31,7 @@ class SweepMomentum {
   double next_beta();
 
   PgsRows& rows_;
-  const PgsIsland& island_;
+  std::vector<int> contacts_;
   std::vector<std::pair<int, int>> blocks_;  ///< first velocity of each block in the rows, and its number of them
   Place now_, before_;                       ///< what the last two sweeps left
   std::vector<double> begun_;                ///< velocities where the last sweep began

@@ -1,5 +1,5 @@
 /// Visits of four contacts at once against visits of one after another.
-#include "contact/solvers/shared/pgs_lanes.h"
+#include "contact/solvers/lanes/pgs_lanes.h"
 
 #include <gtest/gtest.h>
 

@@ -3,13 +3,10 @@
 /// sweep gives the same bits as visiting the contacts one after another.
 #include <vector>
 
+#include "contact/solvers/lanes/four_lanes.h"
 #include "contact/solvers/shared/pgs_sweep.h"
 
 namespace nilas::solvers {
-
-/// One number of each of four contacts.
-using FourLanes = double __attribute__((vector_size(32), aligned(32)));
-constexpr int k_lanes = sizeof(FourLanes) / sizeof(double);
 
 /// Up to four contacts of shape six_six whose rows serve as responses; see PgsContact. Lanes from `count` on are zero.
 struct alignas(32) PgsLanes {
