@@ -15,8 +15,6 @@ namespace {
 constexpr double k_least_motion = 1e-15;
 /// A normal held by less than this share of the trace does not yield at all; rounding alone gives the square of 1e-16.
 constexpr double k_immovable_share = 1e-20;
-/// Roots are as good as rounding when their equation holds to this.
-constexpr double k_root_accuracy = 4e-16;
 /// Bisections of a bracket of doubles that still change it.
 constexpr int k_most_steps = 200;
 

@@ -40,6 +40,8 @@ struct ContactBlock {
   }
 };
 
+/// Roots are as good as rounding when their equation holds to this.
+constexpr double k_root_accuracy = 4e-16;
 /// Newton's next step squares an error as small as this: its straight line is then as good as another evaluation.
 constexpr double k_nearly_root = 1e-9;
 /// Enough within sweeps: what is left is the square of what the next visit of the contact would change anyway.

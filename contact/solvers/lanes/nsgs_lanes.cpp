@@ -14,8 +14,6 @@ namespace {
 constexpr std::size_t k_runs_of_piece = 16;
 /// Evaluations of four lanes in search of their slip. The few that need more are solved one by one.
 constexpr int k_most_evaluations = 6;
-/// The same as in local_solve.cpp: roots are as good as rounding when their equation holds to this.
-constexpr double k_root_accuracy = 4e-16;
 
 /// True (-1) or false (0) in each lane.
 using LaneMask = long long __attribute__((vector_size(32), aligned(32)));
@@ -102,7 +100,7 @@ NILAS_PART_OF_CLONES void slide(NsgsLanes& c, SlipLanes& slip, const LaneMask& s
     next_slip(c, slip, bracket, next);
     const FourLanes change = next < slip.x ? slip.x - next : next - slip.x;
     const LaneMask is_over =
-        left & ((change <= k_root_accuracy * slip.x) | ~(next < std::numeric_limits<double>::max()));
+        left & ((change <= contact::k_root_accuracy * slip.x) | ~(next < std::numeric_limits<double>::max()));
     unknown |= is_over;
     left &= ~is_over;
     x = next;
