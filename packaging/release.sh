@@ -16,6 +16,7 @@ Checks that the tree is that of one version, then makes the files of its release
   source   an archive of the sources
   deb      the Debian package
   wheel    the wheel with its libraries
+  sbom     the bill of materials: what the program was built from
   try      both packages on bare systems (packaging/try.sh; needs root)
   sums     SHA256SUMS of the files above
 
@@ -29,7 +30,7 @@ Exit codes: 0 done, 1 a check or a step failed, 2 wrong usage.
 TEXT
 }
 
-steps=(format docs test verify source deb wheel try sums)
+steps=(format docs test verify source deb wheel sbom try sums)
 only_check=0 tag=0 skipped=, build=build/release must_be_built=1 faults=0
 while [ $# -gt 0 ]; do
   case $1 in
@@ -142,6 +143,7 @@ step_deb() {
   cmake --build "$build" && (cd "$build" && cpack -G DEB) && cp "$build"/nilas_"$version"_*.deb dist/
 }
 step_wheel() { rm -f dist/"nilas-$version"-*.whl && packaging/wheel.sh; }
+step_sbom() { packaging/sbom.py "$build" --out "dist/nilas-$version.cdx.json"; }
 step_try() {
   local files
   mapfile -t files < <(package; wheel)

@@ -51,7 +51,7 @@ wrong() {
   must_refuse "$3" "$4"
   git checkout -q -- .
 }
-all=format,docs,test,verify,source,deb,wheel,try,sums
+all=format,docs,test,verify,source,deb,wheel,sbom,try,sums
 packaging/release.sh --check >/dev/null
 wrong CITATION.cff 's/1.2.3/1.2.4/' --check "CITATION.cff: version is '1.2.4'"
 wrong docs/howto/use-the-library.md 's/1.2/1.1/' --check "find_package asks for '1.1'"
@@ -75,7 +75,7 @@ wrong CHANGELOG.md 's/## \[Unreleased\]/&\n- A third thing./' "--skip $all" "ent
 wrong CHANGELOG.md '/1.2.3/d' "--skip $all" "the heading ## [1.2.3] - YYYY-MM-DD is missing"
 
 # Archive, sums and tag of a tree that is right.
-packaging/release.sh --skip format,docs,test,verify,deb,wheel,try --tag >"$room/said"
+packaging/release.sh --skip format,docs,test,verify,deb,wheel,sbom,try --tag >"$room/said"
 grep -q "Skipped here: format docs test verify deb wheel try" "$room/said"
 tar -tzf dist/nilas-1.2.3.tar.gz | grep -x nilas-1.2.3/CHANGELOG.md >/dev/null
 (cd dist && sha256sum --quiet -c SHA256SUMS)
