@@ -189,6 +189,7 @@ TEST(RunFolder, SummaryTellsTheRun) {
   EXPECT_EQ(read.phase_ms[static_cast<std::size_t>(sim::Phase::solver)], 4);
   EXPECT_TRUE(read.window);
   EXPECT_EQ(summary["versions"]["eigen"], "3.4.0");
+  for (const auto& [name, version] : summary["versions"].items()) EXPECT_NE(version, "") << name;
   EXPECT_EQ(summary["seed"], 7);
   EXPECT_EQ(summary["threads"], 2);
   EXPECT_EQ(summary["machine"], "2 cores");
