@@ -257,9 +257,18 @@ MomentumBalance momentum_balance(const bodies::Bodies& bodies, const contact::St
     balance.linear_scale += impulse.norm();
     balance.angular_scale += moment.norm();
   };
+  // A change of momentum is rounded as the momentum is. Without it a body that nothing acts on would be off by all of
+  // its scale.
+  const auto note_momentum = [&](std::size_t b) {
+    const Vec3 momentum = bodies.mass[b] * motion.before.v[b];
+    balance.linear_scale += momentum.norm();
+    balance.angular_scale +=
+        (motion.p[b].cross(momentum) + spin_momentum(bodies, motion, b, motion.before.w[b])).norm();
+  };
   for (int k = 0; k < bodies.size(); ++k) {
     if (!bodies.moves(k)) continue;
     const auto b = static_cast<std::size_t>(k);
+    note_momentum(b);
     Vec3 spin = spin_momentum(bodies, motion, b, motion.after.w[b] - motion.before.w[b]);
     if (k == vessel.index && vessel.on_carriage)
       spin = vessel.inertia_after * motion.after.w[b] - vessel.inertia_before * motion.before.w[b];

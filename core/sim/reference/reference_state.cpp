@@ -162,16 +162,19 @@ VecX ReferenceState::absolute_tolerances(const bodies::Bodies& bodies, double re
   return tolerance;
 }
 
-std::pair<Vec3, Vec3> momenta(const bodies::Bodies& bodies, bool with_vessel) {
-  Vec3 linear = Vec3::Zero(), angular = Vec3::Zero();
+Momenta momenta(const bodies::Bodies& bodies, bool with_vessel) {
+  Momenta sums;
   for (int k = 0; k < bodies.size(); ++k) {
     const auto b = static_cast<std::size_t>(k);
     if (!bodies.is_free(k) && !(with_vessel && bodies.motion[b] == bodies::Motion::articulated)) continue;
     const Vec3 momentum = bodies.mass[b] * bodies.v_GB[b];
-    linear += momentum;
-    angular += bodies.p_GB[b].cross(momentum) + angular_momentum(bodies, b);
+    const Vec3 moment = bodies.p_GB[b].cross(momentum) + angular_momentum(bodies, b);
+    sums.linear += momentum;
+    sums.angular += moment;
+    sums.linear_size += momentum.norm();
+    sums.angular_size += moment.norm();
   }
-  return {linear, angular};
+  return sums;
 }
 
 }  // namespace nilas::sim

@@ -78,8 +78,13 @@ class ReferenceState {
                account_ = 0;  ///< offset of the vessel; number of works; offset of the works
 };
 
-/// Linear momentum and angular momentum about G's origin of the free bodies, including the vessel if `with_vessel` [kg
-/// m/s, kg m^2/s].
-std::pair<Vec3, Vec3> momenta(const bodies::Bodies& bodies, bool with_vessel);
+/// Momenta of several bodies: their sums, and the sums of their sizes, which their rounding grows with.
+struct Momenta {
+  Vec3 linear = Vec3::Zero(), angular = Vec3::Zero();  ///< [kg m/s]; about G's origin [kg m^2/s]
+  double linear_size = 0, angular_size = 0;            ///< [kg m/s, kg m^2/s]
+};
+
+/// The momenta of the free bodies, including the vessel if `with_vessel`.
+Momenta momenta(const bodies::Bodies& bodies, bool with_vessel);
 
 }  // namespace nilas::sim

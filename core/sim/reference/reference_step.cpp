@@ -47,7 +47,7 @@ StepRecord take_reference_step(World& world, ReferenceIntegrator& reference) {
   Stopwatch watch(record.ms);
   const bodies::Bodies& bodies = world.parts.bodies;
   const bool with_vessel = reference.accounts_for_vessel();
-  const auto [linear, angular] = momenta(bodies, with_vessel);
+  const Momenta start = momenta(bodies, with_vessel);
   const double t0 = world.time();
   ++world.steps;
   ReferenceStep done = reference.advance(t0, world.time());
@@ -66,10 +66,11 @@ StepRecord take_reference_step(World& world, ReferenceIntegrator& reference) {
 
   const ReferenceAccount& account = done.account;
   world.energy.whole_step(kinetic_energy(bodies), world.potential(), account.works, account.friction, account.impact);
-  const auto [linear_end, angular_end] = momenta(bodies, with_vessel);
+  const Momenta end = momenta(bodies, with_vessel);
   note_end(world,
-           {(linear_end - linear - account.impulse).norm(), account.impulse_scale,
-            (angular_end - angular - account.angular_impulse).norm(), account.angular_scale},
+           {(end.linear - start.linear - account.impulse).norm(), start.linear_size + account.impulse_scale,
+            (end.angular - start.angular - account.angular_impulse).norm(),
+            start.angular_size + account.angular_scale},
            record);
   if (world.parts.vessel) record.vessel = vessel_record(world, reference, account.vessel);
   for (const auto& module : world.parts.modules) module->append_values(record.module_values);

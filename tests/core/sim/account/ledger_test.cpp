@@ -87,6 +87,28 @@ TEST(Ledger, ClosesWithEveryStabilisation) {
     }
 }
 
+/// Two bodies that nothing acts on: their momenta change by rounding alone, which is no imbalance. Rounding is at most a
+/// few 1e-16 of the momenta themselves.
+TEST(MomentumBalance, OfBodiesThatNothingActsOnIsRounding) {
+  const test::ScratchFolder folder;
+  for (const std::string integrator : {"semi-implicit-euler", "moreau", "reference"}) {
+    WarningCounts warnings{make_logger("off", "")};
+    Simulation simulation(
+        scene::read_scene(folder.write(
+            "scene.xml", "<scene version='1'><time step='0.01'/><gravity value='0 0 0'/><contact integrator='" +
+                             integrator + "'/><body shape='box' size='0.3 0.2 0.1' angular_velocity='4 3 -2'/>"
+                             "<body shape='box' size='0.1 0.2 0.3' position='5 0 0' angular_velocity='1 -5 2' "
+                             "velocity='0.3 0.1 0.2'/></scene>")),
+        1, warnings);
+    for (int k = 0; k < 20; ++k) {
+      const StepRecord record = simulation.step();
+      EXPECT_GT(record.momentum_scale, 0) << integrator;
+      EXPECT_LE(record.momentum_imbalance, 1e-12 * record.momentum_scale) << integrator;
+      EXPECT_LE(record.angular_momentum_imbalance, 1e-12 * record.angular_momentum_scale) << integrator;
+    }
+  }
+}
+
 /// Only modules that a scene names are built: a body in free flight has no force module, no water, no vessel.
 TEST(Modules, AreBuiltForWhatASceneNamesOnly) {
   const test::ScratchFolder folder;
