@@ -37,6 +37,15 @@ double work(const bodies::Bodies& bodies, const contact::StepMotion& motion, con
   return 0.5 * motion.h * sum;
 }
 
+/// What rolling and spinning friction take at a contact, rigid or elastic [J].
+double couple_loss(const contact::StepMotion& motion, std::size_t contact) {
+  if (motion.couples.empty()) return 0;
+  const auto a = static_cast<std::size_t>(motion.points[contact].a);
+  const auto b = static_cast<std::size_t>(motion.points[contact].b);
+  return -0.5 *
+         motion.couples[contact].dot(motion.before.w[b] + motion.after.w[b] - motion.before.w[a] - motion.after.w[a]);
+}
+
 }  // namespace
 
 EnergyAccount::EnergyAccount(const std::vector<std::string>& work_names, double kinetic, double potential)
@@ -85,6 +94,7 @@ void EnergyAccount::velocity_step(const bodies::Bodies& bodies, const contact::S
                               vessel.carriage.torque.dot(motion.before.w[b] + motion.after.w[b])));
   }
   for (std::size_t i = 0; i < motion.points.size(); ++i) {
+    ledger_.friction += couple_loss(motion, i);
     const Vec3 mean = 0.5 * (contact::relative_velocity(motion, motion.before, i) +
                              contact::relative_velocity(motion, motion.after, i));
     if (!motion.springs.empty() && motion.springs[i].exists) {
@@ -99,10 +109,6 @@ void EnergyAccount::velocity_step(const bodies::Bodies& bodies, const contact::S
     (motion.points[i].crushes() ? ledger_.crushing : ledger_.impact) -= normal - asked;
     ledger_.stabilisation -= asked;
     ledger_.friction -= motion.impulses[i].dot(mean) - normal;
-    if (motion.couples.empty()) continue;
-    const auto a = static_cast<std::size_t>(motion.points[i].a), b = static_cast<std::size_t>(motion.points[i].b);
-    ledger_.friction -=
-        0.5 * motion.couples[i].dot(motion.before.w[b] + motion.after.w[b] - motion.before.w[a] - motion.after.w[a]);
   }
   book_springs(motion);
   kinetic_after_velocity_ = 0;

@@ -87,8 +87,8 @@ TEST(Ledger, ClosesWithEveryStabilisation) {
     }
 }
 
-/// Two bodies that nothing acts on: their momenta change by rounding alone, which is no imbalance. Rounding is at most a
-/// few 1e-16 of the momenta themselves.
+/// Two bodies that nothing acts on: their momenta change by rounding alone, which is no imbalance. Rounding is at most
+/// a few 1e-16 of the momenta themselves.
 TEST(MomentumBalance, OfBodiesThatNothingActsOnIsRounding) {
   const test::ScratchFolder folder;
   for (const std::string integrator : {"semi-implicit-euler", "moreau", "reference"}) {
@@ -96,7 +96,8 @@ TEST(MomentumBalance, OfBodiesThatNothingActsOnIsRounding) {
     Simulation simulation(
         scene::read_scene(folder.write(
             "scene.xml", "<scene version='1'><time step='0.01'/><gravity value='0 0 0'/><contact integrator='" +
-                             integrator + "'/><body shape='box' size='0.3 0.2 0.1' angular_velocity='4 3 -2'/>"
+                             integrator +
+                             "'/><body shape='box' size='0.3 0.2 0.1' angular_velocity='4 3 -2'/>"
                              "<body shape='box' size='0.1 0.2 0.3' position='5 0 0' angular_velocity='1 -5 2' "
                              "velocity='0.3 0.1 0.2'/></scene>")),
         1, warnings);
@@ -106,6 +107,28 @@ TEST(MomentumBalance, OfBodiesThatNothingActsOnIsRounding) {
       EXPECT_LE(record.momentum_imbalance, 1e-12 * record.momentum_scale) << integrator;
       EXPECT_LE(record.angular_momentum_imbalance, 1e-12 * record.angular_momentum_scale) << integrator;
     }
+  }
+}
+
+/// A ball rolls on a floor of springs with rolling and spinning friction, whose couples take energy as well. Of a scene
+/// of random campaigns.
+TEST(Ledger, ClosesWithRollingFrictionOfElasticContacts) {
+  const test::ScratchFolder folder;
+  for (const std::string integrator : {"semi-implicit-euler", "moreau"}) {
+    WarningCounts warnings{make_logger("off", "")};
+    Simulation simulation(
+        scene::read_scene(folder.write(
+            "scene.xml",
+            "<scene version='1'><time step='0.01'/><contact solver='nsgs' tolerance='1e-12' integrator='" + integrator +
+                "'><friction between='* *' static='0.3' rolling='0.05' spinning='0.02' elastic='true' "
+                "stiffness='1e5'/></contact><body shape='plane'/><body shape='sphere' radius='0.5' mass='10' "
+                "position='0 0 0.499' velocity='1 0 0' angular_velocity='0 2 3'/></scene>")),
+        1, warnings);
+    const double start = simulation.initial_ledger().kinetic;
+    Ledger now;
+    for (int k = 0; k < 50; ++k) now = simulation.step().ledger;
+    EXPECT_GT(now.friction, 0.01 * start) << integrator;
+    EXPECT_LE(std::abs(now.imbalance), 1e-12 * start) << integrator;
   }
 }
 
