@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "contact/measure/measure.h"
 #include "contact/registry.h"
 #include "contact/solvers/with_retry.h"
 #include "core/base/error.h"
@@ -20,6 +21,8 @@ contact::StaticFrictionSolution ContactModel::solve(contact::ContactProblem& pro
   contact::ContactSolution& solution = found.solution;
   if (sweep_at_rest && solution.iterations == 0 && solution.status == contact::SolveStatus::converged) {
     contact::ContactSolution swept = sweep_at_rest->solve(prepared, solution.r);
+    // A sweep may also lead away from the law, by more than was asked for.
+    if (!(contact::largest_law_map(prepared, swept.r) <= tolerance)) return found;
     solution.r = std::move(swept.r);
     solution.v = std::move(swept.v);
     solution.u = std::move(swept.u);

@@ -229,4 +229,30 @@ TEST(ElasticContact, TheHullMeetsElasticIceNoMoreAsARigidBody) {
   EXPECT_EQ(info("ice ice"), std::pair(true, true));
 }
 
+/// Where the impulses of the step before meet the tolerance, a sweep follows in scenes with an elastic pair. In this
+/// row of rigid floes, which water drags along ever less, it led out of the tolerance again while the status was
+/// `converged`.
+TEST(ElasticContacts, NoSweepLeadsOutOfTheToleranceOfAConvergedStep) {
+  std::string floes;
+  const std::vector<std::string> thicknesses{"0.1", "0.3", "0.5", "0.2"};
+  for (std::size_t k = 0; k < thicknesses.size(); ++k) {
+    const std::string x0 = std::to_string(k), x1 = std::to_string(k + 1);
+    floes += "<floe outline='" + x0 + " 0 " + x1 + " 0 " + x1 + " 1 " + x0 + " 1' thickness='" + thicknesses[k] + "'/>";
+  }
+  constexpr double k_tolerance = 1e-4;  // [m/s]
+  test::SceneRig rig(
+      "<time step='0.01' end='10'/><gravity value='0 0 0'/><contact integrator='semi-implicit-euler' "
+      "tolerance='1e-4' solver='auto'><friction between='wall wall' static='0' elastic='true' stiffness='1e5'/>"
+      "</contact><hydro><virtual_drag coefficient='200' velocity='-1 0 0'/></hydro><ice>" +
+      floes + "</ice>");
+  int untouched = 0;
+  for (int k = 0; k < 60; ++k) {
+    const sim::StepRecord record = rig.simulation.step();
+    ASSERT_EQ(record.status, contact::SolveStatus::converged);
+    EXPECT_LE(record.residuals.law_map_m_s, k_tolerance) << record.t;
+    untouched += record.iterations == 0 && record.contacts > 0;
+  }
+  EXPECT_GT(untouched, 10) << "no step began within the tolerance, so nothing was tested";
+}
+
 }  // namespace elastic_contact_test
