@@ -62,6 +62,19 @@ std::string name_of(int code) {
   return name.get();
 }
 
+/// Why CVODE stopped, in words where there are any that help, and with its own name.
+std::string reason_of(int code, long max_steps) {
+  switch (code) {
+    case CV_TOO_MUCH_WORK:
+      return fmt::format("more than {} steps were needed at this accuracy ({})", max_steps, name_of(code));
+    case CV_ERR_FAILURE:
+    case CV_CONV_FAILURE:
+      return fmt::format("even the shortest step misses the accuracy ({})", name_of(code));
+    default:
+      return name_of(code);
+  }
+}
+
 void demand(int code) { NILAS_DEMAND(code == CV_SUCCESS); }
 
 void watch_events(void* memory, int count) {
@@ -86,6 +99,7 @@ struct OdeSolution::Implementation {
   Implementation(EventOde ode, const OdeSettings& settings, double t0, const VecX& y)
       : session{std::move(ode), y, VecX(y.size()), VecX(), nullptr},
         t(t0),
+        max_steps(settings.max_steps),
         state(sundials::copy(y, context)),
         absolute(sundials::copy(settings.absolute, context)),
         corrector(SUNNonlinSol_FixedPoint(state.get(), 0, context.get())),
@@ -104,6 +118,7 @@ struct OdeSolution::Implementation {
 
   Session session;
   double t;  ///< time reached [s]
+  long max_steps;
   sundials::Context context;
   sundials::Vector state, absolute;
   std::unique_ptr<std::remove_pointer_t<SUNNonlinearSolver>, FreeNonlinear> corrector;
@@ -133,7 +148,8 @@ OdeStop OdeSolution::follow(double t1, VecX& y) {
   y = sundials::view(own.state.get());
   if (code == CV_ROOT_RETURN) return {own.t, found_events(own.memory.get(), session.ode.num_events)};
   if (code != CV_SUCCESS)
-    throw SimulationError(fmt::format("the integrator stopped {:g} s after its start: {}", own.t, name_of(code)));
+    throw SimulationError(
+        fmt::format("the integrator stopped {:g} s after its start: {}", own.t, reason_of(code, own.max_steps)));
   return {t1, {}};
 }
 

@@ -399,7 +399,10 @@ numerics::OdeStop ReferenceIntegrator::follow(double t1, VecX& y) {
   try {
     return smooth_->follow(t1 - smooth_start_, y);
   } catch (const SimulationError& error) {
-    throw SimulationError(fmt::format("between the event at {:.9g} s and {:g} s: {}", smooth_start_, t1, error.what()));
+    throw SimulationError(fmt::format(
+        "between the event at {:.9g} s and {:g} s: {}; integrator 'reference' suits smooth motion of few bodies: use "
+        "moreau or semi-implicit-euler",
+        smooth_start_, t1, error.what()));
   }
 }
 

@@ -69,8 +69,7 @@ StepRecord take_reference_step(World& world, ReferenceIntegrator& reference) {
   const Momenta end = momenta(bodies, with_vessel);
   note_end(world,
            {(end.linear - start.linear - account.impulse).norm(), start.linear_size + account.impulse_scale,
-            (end.angular - start.angular - account.angular_impulse).norm(),
-            start.angular_size + account.angular_scale},
+            (end.angular - start.angular - account.angular_impulse).norm(), start.angular_size + account.angular_scale},
            record);
   if (world.parts.vessel) record.vessel = vessel_record(world, reference, account.vessel);
   for (const auto& module : world.parts.modules) module->append_values(record.module_values);

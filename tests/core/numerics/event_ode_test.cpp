@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 
 #include "core/base/error.h"
 
@@ -58,6 +59,17 @@ TEST(EventOde, AThrowFromTheEquationsComesThroughAndFailureIsSaid) {
   VecX z{{1.0}};
   OdeSolution bursts({[](double, const VecX& x, VecX& dx) { dx = x.cwiseProduct(x); }, 0, {}}, tight(1), 0, z);
   EXPECT_THROW(bursts.follow(2, z), SimulationError);
+  // a period needs more than one step
+  VecX w{{1.0, 0.0}};
+  OdeSettings few = tight(2);
+  few.max_steps = 1;
+  OdeSolution short_of_steps(oscillator(), few, 0, w);
+  try {
+    short_of_steps.follow(2 * k_pi, w);
+    FAIL() << "one step was enough";
+  } catch (const SimulationError& error) {
+    EXPECT_NE(std::string(error.what()).find("more than 1 steps were needed"), std::string::npos) << error.what();
+  }
 }
 
 }  // namespace event_ode_test
