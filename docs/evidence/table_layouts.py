@@ -3,6 +3,23 @@
 # For each table its columns, each as heading and pattern. {name} is the field of that name as it is stored, {name:.1f}
 # the same as a number in that format.
 LAYOUTS = {
+    "reliability-judges": [
+        ("judge", "{judge}"),
+        ("what must hold", "{holds}"),
+        ("scenes asked", "{asked}"),
+        ("applied to", "{applied}"),
+        ("failed", "{failed}"),
+    ],
+    "reliability-schema": [
+        ("of the schema", "{of}"),
+        ("used", "{used}"),
+        ("all", "{all}"),
+    ],
+    "reliability-refusals": [
+        ("error", "{error}"),
+        ("scenes", "{scenes}"),
+        ("documented in", "{page}"),
+    ],
     "scenes-to-end": [
         ("scene", "{scene}"),
         ("steps", "{steps}"),

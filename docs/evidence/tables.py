@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes the tables of the validation pages from the figures that are stored in data/.
+"""Writes the tables of the pages of validation and reliability from the figures that are stored in data/.
 
 usage: tables.py [--check]
 
@@ -102,7 +102,7 @@ def main():
     parser.add_argument("--check", action="store_true", help="write nothing; exit 1 where a page and the data differ")
     check = parser.parse_args().check
     faults, used = [], set()
-    for page in sorted(HERE.glob("validation*.md")):
+    for page in sorted([*HERE.glob("validation*.md"), *HERE.glob("reliability*.md")]):
         old = page.read_text(encoding="utf-8")
         names = BLOCK.findall(old)
         if len(names) != old.count("<!-- table: "):

@@ -1,0 +1,1 @@
+"""Random scenes over the whole schema: each is a function of its seed."""
