@@ -3,6 +3,12 @@
 # For each table its columns, each as heading and pattern. {name} is the field of that name as it is stored, {name:.1f}
 # the same as a number in that format.
 LAYOUTS = {
+    "reliability-extremes": [
+        ("scene and integrator", "{scene}, `{integrator}`"),
+        ("rows", "{row} = {row_value}"),
+        ("columns", "{columns}"),
+        ("ends", "{ends}"),
+    ],
     "reliability-judges": [
         ("judge", "{judge}"),
         ("what must hold", "{holds}"),
