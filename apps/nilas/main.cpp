@@ -3,11 +3,16 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <cstdlib>
+#include <exception>
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <new>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <system_error>
 #include <vector>
 
 #include "apps/nilas/commands/commands.h"
@@ -19,9 +24,18 @@
 
 namespace {
 
-int run_action(const nilas::commands::Action& action) {
+constexpr std::string_view k_no_memory = "error: there is too little memory for this command\n";
+
+/// Writes a text on standard error without asking for memory.
+void say(std::string_view text) {
+  [[maybe_unused]] const auto written = ::write(STDERR_FILENO, text.data(), text.size());
+}
+
+/// Runs a body and maps its exceptions to exit codes.
+template <class Body>
+int guarded(const Body& body) {
   try {
-    return action();
+    return body();
   } catch (const nilas::SceneError& e) {
     std::cerr << e.what() << "\n" << e.faults().size() << (e.faults().size() == 1 ? " fault\n" : " faults\n");
     return e.only_unreadable_files() ? nilas::exit_file : nilas::exit_bad_input;
@@ -31,7 +45,10 @@ int run_action(const nilas::commands::Action& action) {
   } catch (const nilas::FileError& e) {
     std::cerr << "error: " << e.what() << "\n";
     return nilas::exit_file;
-  } catch (const std::filesystem::filesystem_error& e) {
+  } catch (const std::bad_alloc&) {
+    say(k_no_memory);
+    return nilas::exit_file;
+  } catch (const std::system_error& e) {  // of files, and of threads that the system refuses
     std::cerr << "error: " << e.what() << "\n";
     return nilas::exit_file;
   } catch (const nilas::Interruption& e) {
@@ -48,9 +65,27 @@ int run_action(const nilas::commands::Action& action) {
 
 /// The signal handler that ends the program at once. `run` and `compare` replace it when they have outputs to finish.
 void leave(int) {
-  constexpr char text[] = "The program was interrupted before it had finished.\n";
-  [[maybe_unused]] const auto written = ::write(STDERR_FILENO, text, sizeof text - 1);
+  say("The program was interrupted before it had finished.\n");
   ::_exit(nilas::exit_interrupted);
+}
+
+/// Ends the program where an exception cannot be handled, as one that a destructor lets out. Libraries free memory by
+/// asking for some, so without memory this is how the program ends.
+[[noreturn]] void give_up() {
+  try {
+    if (const auto thrown = std::current_exception()) std::rethrow_exception(thrown);
+  } catch (const std::bad_alloc&) {
+    say(k_no_memory);
+    ::_exit(nilas::exit_file);
+  } catch (const std::exception& e) {
+    say("internal error, please report it: ");
+    say(e.what());
+    say("\n");
+    ::_exit(nilas::exit_numerics);
+  } catch (...) {
+  }
+  say("internal error, please report it: an exception without a name\n");
+  ::_exit(nilas::exit_numerics);
 }
 
 /// Reads the words of the command line. Returns an exit code if there is no action to run: after a fault, which is
@@ -79,17 +114,17 @@ std::optional<int> read_words(CLI::App& app, const std::vector<std::string>& wor
   return std::nullopt;
 }
 
-}  // namespace
+bool ends_by_itself = false;  // what the handlers of exit() see, which take no arguments
 
-int main(int argc, char** argv) {
-  // Each step frees and takes the same few megabytes: returning them to the system in between costs a tenth of the
-  // time.
-  constexpr int k_keep_bytes = 1 << 28;
-  mallopt(M_TRIM_THRESHOLD, k_keep_bytes);
-  mallopt(M_MMAP_THRESHOLD, k_keep_bytes);
-  std::signal(SIGINT, leave);
-  std::signal(SIGTERM, leave);
-  std::signal(SIGXFSZ, SIG_IGN);  // a file size limit is then an error of the write, with a message
+/// Ends the program where a library called exit(), as some do where they get no memory.
+void tell_of_library() {
+  if (ends_by_itself) return;
+  say("error: a library ended the program; there may be too little memory for this command\n");
+  ::_exit(nilas::exit_file);
+}
+
+/// Reads the words after the program's name and runs the command that they ask for. Returns the exit code.
+int run_words(const std::vector<std::string>& words) {
   CLI::App app{"Nilas simulates vessels and fixed structures in broken floating sea ice.", "nilas"};
   app.set_version_flag("--version", nilas::commands::version_text());
   app.require_subcommand(1);
@@ -111,6 +146,24 @@ int main(int argc, char** argv) {
   nilas::commands::add_validate(app, action);
   nilas::commands::add_statistics(app, action);
   nilas::commands::add_schema(app, action);
-  if (const auto code = read_words(app, nilas::commands::one_set_each({argv + 1, argv + argc}))) return *code;
-  return run_action(action);
+  if (const auto code = read_words(app, nilas::commands::one_set_each(words))) return *code;
+  return action();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  // Each step frees and takes the same few megabytes: returning them to the system in between costs a tenth of the
+  // time.
+  constexpr int k_keep_bytes = 1 << 28;
+  mallopt(M_TRIM_THRESHOLD, k_keep_bytes);
+  mallopt(M_MMAP_THRESHOLD, k_keep_bytes);
+  std::signal(SIGINT, leave);
+  std::signal(SIGTERM, leave);
+  std::signal(SIGXFSZ, SIG_IGN);  // a file size limit is then an error of the write, with a message
+  std::set_terminate(give_up);
+  std::atexit(tell_of_library);
+  const int code = guarded([&] { return run_words({argv + 1, argv + argc}); });
+  ends_by_itself = true;
+  return code;
 }

@@ -11,7 +11,7 @@ namespace nilas::hdf5 {
 
 /// HDF5 has no reason to refuse what we make in memory, short of memory itself.
 static void demand_made(bool made, const std::string& name) {
-  if (!made) throw FileError("HDF5 could not make " + name);
+  if (!made) throw FileError("HDF5 could not make " + name + ": there is too little memory");
 }
 
 static Hdf5Handle create_image() {

@@ -11,6 +11,7 @@
 #include <exception>
 #include <map>
 #include <mutex>
+#include <new>
 #include <tuple>
 
 namespace nilas::detect {
@@ -142,6 +143,8 @@ std::optional<Vec3> FclShapes::direction(const PairView& pair, bool apart) {
     const std::optional<Vec3> direction = unit(apart ? between_nearest_points(query) : penetration_normal(query));
     if (direction) return direction;
     return unit(apart ? penetration_normal(query) : between_nearest_points(query));
+  } catch (const std::bad_alloc&) {
+    throw;  // the search would go on with fewer contacts
   } catch (const std::exception&) {
     return std::nullopt;
   }
@@ -165,6 +168,8 @@ std::vector<FclContact> FclShapes::contacts(const PairView& pair) {
       if (const std::optional<Vec3> n = unit(contact.normal); n && std::isfinite(contact.penetration_depth))
         contacts.push_back({scaled.in_a(contact.pos), *n, -contact.penetration_depth / scaled.scale});
     }
+  } catch (const std::bad_alloc&) {
+    throw;  // the search would go on with fewer contacts
   } catch (const std::exception&) {
     contacts.clear();
   }
@@ -191,6 +196,8 @@ std::vector<FclContact> FclShapes::plane_contacts(const Part& guest, const Relat
       const Vec3 p = contact.pos / scale + origin - 0.5 * margin * Vec3::UnitZ();
       if (gap < margin) contacts.push_back({p, Vec3::UnitZ(), gap});
     }
+  } catch (const std::bad_alloc&) {
+    throw;  // the search would go on with fewer contacts
   } catch (const std::exception&) {
     failed = true;
     contacts.clear();

@@ -10,6 +10,8 @@
 #include <CGAL/boost/graph/copy_face_graph.h>
 #include <fmt/format.h>
 
+#include <new>
+
 #include "core/mesh/mend/surface_mesh.h"
 
 namespace nilas::mesh {
@@ -35,6 +37,8 @@ bool uncross(SurfaceMesh& shell) {
         PMP::experimental::remove_self_intersections(tried, CGAL::parameters::preserve_genus(false));
       else
         PMP::experimental::autorefine_and_remove_self_intersections(tried);
+    } catch (const std::bad_alloc&) {
+      throw;
     } catch (const std::exception&) {
       continue;
     }
@@ -68,6 +72,8 @@ Union unite(SurfaceMesh& whole, SurfaceMesh& shell) {
   try {
     if (!PMP::corefine_and_compute_union(a, b, both, CGAL::parameters::throw_on_self_intersection(true)))
       return Union::failed;
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const std::exception&) {
     return Union::failed;
   }

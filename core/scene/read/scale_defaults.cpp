@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <new>
 
 #include "core/base/csv.h"
 #include "core/base/error.h"
@@ -47,6 +48,8 @@ std::optional<double> mesh_length(const fs::path& hull) {
   try {
     const geometry::TriangleMesh mesh = geometry::read_stl(fs::is_directory(hull) ? hull / "fluid.stl" : hull);
     return geometry::box_of(mesh).sizes().x();
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const std::exception&) {
     return std::nullopt;
   }
@@ -68,6 +71,8 @@ double path_speed(const fs::path& file) {
       const auto &a = table.rows[k - 1], &b = table.rows[k];
       if (b[0] > a[0]) fastest = std::max(fastest, std::hypot(b[1] - a[1], b[2] - a[2]) / (b[0] - a[0]));
     }
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const std::exception&) {
     return 0;
   }
@@ -80,6 +85,8 @@ double current_speed(const fs::path& file, const std::string& coordinate) {
   try {
     for (const auto& row : read_csv(file.string(), {coordinate, "u_m_s", "v_m_s"}).rows)
       fastest = std::max(fastest, std::hypot(row[1], row[2]));
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const std::exception&) {
     return 0;
   }

@@ -22,7 +22,7 @@ from nilas.study.options import option_parser
 from nilas.study.results.closing import finish_study
 from nilas.study.results.overview import plan_text, status_text
 from nilas.study.snakemake.snakefile import write_snakefile
-from nilas.study.tell import settle, tell, warn
+from nilas.study.tell import NO_MEMORY, settle, tell, warn
 from nilas.study.words import duration
 
 _DONE = 0
@@ -33,7 +33,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """Carries out a study and returns the exit code.
 
     0: all runs are done. 2: the study is wrong. 3: runs failed. 4: a file could not be read or
-    written. 130: the study was interrupted. ``arguments``: the words after ``python3 -m nilas.study``.
+    written, or there is too little memory. 130: the study was interrupted. ``arguments``: the words after ``python3 -m nilas.study``.
 
     >>> main(["there-is-none.yaml", "--status"])
     4
@@ -51,6 +51,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return _DONE
     except OSError as error:
         warn(f"error: {error.filename or ''}: {error.strerror}")
+        return 4
+    except MemoryError:
+        warn(NO_MEMORY)
         return 4
     except KeyboardInterrupt:
         return INTERRUPTED

@@ -6,6 +6,8 @@ import os
 import sys
 from typing import TextIO
 
+NO_MEMORY = "error: there is too little memory for this command"
+
 
 def tell(text: str) -> None:
     """Writes a line, or several, on standard output."""

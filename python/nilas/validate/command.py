@@ -13,6 +13,7 @@ from nilas.study.carry_out.lock import only_one
 from nilas.study.carry_out.provenance import find_program
 from nilas.study.describe.faults import StudyError
 from nilas.study.results.tables import write_tables
+from nilas.study.tell import NO_MEMORY
 from nilas.study.words import duration
 from nilas.validate.campaign.rounds import Campaign, left_out
 from nilas.validate.cases.case import Case
@@ -43,6 +44,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return error.code
     except OSError as error:
         print(f"error: {error.filename or ''}: {error.strerror}", file=sys.stderr)
+        return 4
+    except MemoryError:
+        print(NO_MEMORY, file=sys.stderr)
         return 4
     except KeyboardInterrupt:
         return INTERRUPTED
