@@ -14,7 +14,9 @@ std::string json_text(const Json& json) {
   return json.dump(k_indent, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-void write_json(const std::filesystem::path& file, const Json& json) { output::write_whole(file, json_text(json)); }
+void write_json(const std::filesystem::path& file, const Json& json) {
+  output::write_whole(file, json_text(json), output::Flush::now);
+}
 
 Json read_json(const std::filesystem::path& file) { return Json::parse(file_bytes(file), nullptr, false); }
 

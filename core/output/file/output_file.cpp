@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/output/file/flush.h"
 
 namespace nilas::output {
 
@@ -79,21 +80,22 @@ void OutputFile::cut_to(std::int64_t bytes) {
     throw InputError(path_.string() + ": has changed: byte " + std::to_string(bytes) +
                      ", up to which the checkpoint goes on from it, ends no line");
   body_end_ = bytes;
-  if (!write_at(body_end_, tail_) || ::ftruncate(descriptor_, body_end_ + static_cast<off_t>(tail_.size())) != 0)
-    fail(errno);
+  // Cut first: a tail amid the old pieces would spoil the file where it could not be cut.
+  if (::ftruncate(descriptor_, body_end_) != 0 || !write_at(body_end_, tail_)) fail(errno);
 }
 
 void OutputFile::fail(int error_number) const {
   throw FileError(path_.string() + ": cannot write: " + std::strerror(error_number));
 }
 
-void write_whole(const std::filesystem::path& path, std::string_view text) {
+void write_whole(const std::filesystem::path& path, std::string_view text, Flush flush) {
   std::filesystem::path temporary = path;
   temporary += ".part";
   std::error_code error;
   try {
     OutputFile file(temporary);
     file.append(text);
+    if (flush == Flush::now) file.sync();
     file.close();
   } catch (const FileError&) {
     std::filesystem::remove(temporary, error);
@@ -105,6 +107,7 @@ void write_whole(const std::filesystem::path& path, std::string_view text) {
     std::filesystem::remove(temporary, error);
     throw FileError(path.string() + ": cannot write: " + reason);
   }
+  if (flush == Flush::now) flush_names(folder_of(path));
 }
 
 }  // namespace nilas::output

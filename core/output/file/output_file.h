@@ -45,8 +45,11 @@ class OutputFile {
   off_t body_end_ = 0;  ///< bytes of complete pieces
 };
 
-/// Writes a whole file to a temporary file in the same folder and renames it: readers see the old or the new text.
-/// Throws FileError.
-void write_whole(const std::filesystem::path& path, std::string_view text);
+/// When a file reaches the disk: as the operating system pleases, or before the call returns.
+enum class Flush { later, now };
+
+/// Writes a whole file to a temporary file in the same folder and renames it: readers see the old or the new text. With
+/// Flush::now that also holds after a loss of power. Throws FileError.
+void write_whole(const std::filesystem::path& path, std::string_view text, Flush flush = Flush::later);
 
 }  // namespace nilas::output

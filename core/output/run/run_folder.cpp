@@ -33,7 +33,7 @@ struct RunFolder::Outputs {
         channels(info),
         statistics(info),
         steps(folder / "steps.csv", info, kept_bytes(from, "steps.csv")),
-        problems(folder, scene.output.problems),
+        problems(folder, scene.output.problems, scene.output.checkpoint_every > 0),
         snapshot_every(scene.output.trajectory_every),
         bodies_asked(scene.output.bodies),
         contacts_of_all(scene.output.contacts == StoredContacts::all) {
@@ -170,6 +170,8 @@ void RunFolder::write_checkpoint(const sim::CheckpointOrigin& origin, State stat
   NILAS_DEMAND(outputs_ != nullptr);
   outputs_->for_each_file([](const char*, const OutputFile& file) { file.sync(); });
   if (outputs_->contacts) outputs_->contacts->sync();
+  if (outputs_->trajectory) outputs_->trajectory->sync();
+  outputs_->problems.sync();
   outputs_->save(StateWriter(state).group("outputs"));
   nilas::sim::write_checkpoint(checkpoint_file(), origin, state);
   outputs_->problems.saved();

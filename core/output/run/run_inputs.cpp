@@ -96,7 +96,7 @@ void copy_one(const fs::path& folder, const scene::InputFile& input) {
   std::error_code error;
   fs::create_directories(copy.parent_path(), error);
   if (error) throw FileError(copy.parent_path().string() + ": cannot create the folder: " + error.message());
-  write_whole(copy, bytes);
+  write_whole(copy, bytes, Flush::now);
 }
 
 }  // namespace
@@ -153,7 +153,8 @@ void copy_inputs(const fs::path& folder, const std::vector<scene::InputFile>& in
   if (error) throw FileError(input_folder(folder).string() + ": cannot create the folder: " + error.message());
   std::set<fs::path> copies;
   try {
-    write_whole(list_file(folder), list);  // first, so that files left by a killed run are recognised as its copies
+    // first, so that files left by a killed run are recognised as its copies
+    write_whole(list_file(folder), list, Flush::now);
     for (const scene::InputFile* input : missing) {
       copies.insert(below(*input));
       copy_one(folder, *input);

@@ -4,6 +4,8 @@
 
 namespace nilas::output {
 
-void write_scene_xml(const std::filesystem::path& path, const scene::Scene& scene) { write_whole(path, scene.as_run); }
+void write_scene_xml(const std::filesystem::path& path, const scene::Scene& scene) {
+  write_whole(path, scene.as_run, Flush::now);
+}
 
 }  // namespace nilas::output

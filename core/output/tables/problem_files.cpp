@@ -15,8 +15,8 @@ static std::string numbered(const char* kind, long step) { return fmt::format("{
 
 std::string kept_worst_name(long step) { return numbered("worst", step); }
 
-ProblemFiles::ProblemFiles(const std::filesystem::path& run_folder, StoredProblems which)
-    : folder_(run_folder / "problems"), which_(which) {}
+ProblemFiles::ProblemFiles(const std::filesystem::path& run_folder, StoredProblems which, bool resumable)
+    : folder_(run_folder / "problems"), which_(which), unflushed_(resumable) {}
 
 void ProblemFiles::step(const sim::StepRecord& record, const contact::SolvedProblem& solved) {
   if (solved.problem.num_contacts() == 0) return;
@@ -37,7 +37,7 @@ void ProblemFiles::step(const sim::StepRecord& record, const contact::SolvedProb
   }
 }
 
-void ProblemFiles::last(const contact::SolvedProblem& solved) const {
+void ProblemFiles::last(const contact::SolvedProblem& solved) {
   if (solved.problem.num_contacts() > 0) write("last.hdf5", solved);
 }
 
@@ -69,11 +69,12 @@ void ProblemFiles::keep_worst() const {
     throw FileError((folder_ / k_worst).string() + ": cannot be renamed: " + error.message());
 }
 
-void ProblemFiles::write(const std::string& name, const contact::SolvedProblem& solved) const {
+void ProblemFiles::write(const std::string& name, const contact::SolvedProblem& solved) {
   std::error_code error;
   std::filesystem::create_directories(folder_, error);
   if (error) throw FileError(folder_.string() + ": " + error.message());
   contact::write_fclib(folder_ / name, solved.problem, &solved.solution);
+  unflushed_.add(folder_ / name);
 }
 
 }  // namespace nilas::output

@@ -34,6 +34,7 @@ Trajectory::Trajectory(const std::filesystem::path& run_folder, const scene::Sce
       has_damage_(scene.fracture && scene.fracture->damage),
       water_level_(scene.water ? std::optional(scene.water->level) : std::nullopt),
       tank_(scene.tank),
+      unflushed_(scene.output.checkpoint_every > 0),
       list_(run_folder / "trajectory.pvd", k_list_tail, keep) {
   if (scene.ice) moving_.push_back({"ice floes", "ice", bodies::BodyKind::floe});
   if (scene.vessel) moving_.push_back({"vessel", "vessel", bodies::BodyKind::vessel});
@@ -55,17 +56,22 @@ void Trajectory::frame(double t, long step, const bodies::Bodies& bodies, const 
   };
   for (const Part& moving : moving_) {
     const std::string file = fmt::format("step-{:06d}-{}.vtp", step, moving.stem);
-    write_whole(folder_ / file, surfaces_of(moving.kind, bodies, shown.damage));
+    write(file, surfaces_of(moving.kind, bodies, shown.damage));
     list(moving.name, file);
   }
   if (has_forces_) {
     const std::string file = fmt::format("step-{:06d}-forces.vtp", step);
-    write_whole(folder_ / file, contact_forces_document(shown.contacts, shown.h));
+    write(file, contact_forces_document(shown.contacts, shown.h));
     list("contact forces", file);
   }
   if (water_level_) list("water surface", k_water);
   if (has_walls_) list("tank walls", k_walls);
   list_.append(entries);
+}
+
+void Trajectory::write(const std::string& name, const std::string& document) {
+  write_whole(folder_ / name, document);
+  unflushed_.add(folder_ / name);
 }
 
 const std::string& Trajectory::surfaces_of(bodies::BodyKind kind, const bodies::Bodies& bodies,
@@ -79,8 +85,8 @@ const std::string& Trajectory::surfaces_of(bodies::BodyKind kind, const bodies::
 }
 
 void Trajectory::write_what_stays(const bodies::Bodies& bodies) {
-  if (water_level_) write_whole(folder_ / k_water, water_document(bodies));
-  if (has_walls_) write_whole(folder_ / k_walls, surfaces_of(bodies::BodyKind::wall, bodies, {}));
+  if (water_level_) write(k_water, water_document(bodies));
+  if (has_walls_) write(k_walls, surfaces_of(bodies::BodyKind::wall, bodies, {}));
 }
 
 /// The water surface over the tank, else around the bodies at the start.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/bodies/bodies.h"
+#include "core/output/file/flush.h"
 #include "core/output/file/output_file.h"
 #include "core/output/tables/contact_rows.h"
 #include "core/output/vtk/body_surface.h"
@@ -37,6 +38,8 @@ class Trajectory {
   /// Writes the bodies at time t [s] and the data of the step as trajectory/step-<step>-<part>.vtp, and lists them.
   /// Fixed things are written at step 0. Throws FileError.
   void frame(double t, long step, const bodies::Bodies& bodies, const ShownStep& shown = {});
+  /// Returns when all frames are on the disk. Throws FileError.
+  void sync() { unflushed_.flush(); }
   void finish() { list_.close(); }
   const OutputFile& list() const { return list_; }
 
@@ -47,6 +50,7 @@ class Trajectory {
     bodies::BodyKind kind;
   };
 
+  void write(const std::string& name, const std::string& document);
   void follow_shapes(const bodies::Bodies& bodies);
   const std::string& surfaces_of(bodies::BodyKind kind, const bodies::Bodies& bodies, const FloeDamage& damage);
   void write_what_stays(const bodies::Bodies& bodies);
@@ -57,6 +61,7 @@ class Trajectory {
   bool has_forces_, has_walls_, has_damage_;
   std::optional<double> water_level_;  ///< [m]
   std::optional<scene::TankScene> tank_;
+  UnflushedFiles unflushed_;
   OutputFile list_;
   std::vector<std::shared_ptr<const geometry::Shape>> shapes_;  ///< shapes of the bodies in the newest frame
   std::vector<PolygonSurface> surfaces_;                        ///< one per shape
