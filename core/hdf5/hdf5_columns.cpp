@@ -95,23 +95,47 @@ hid_t memory_type(const std::vector<T>&) {
   return std::is_same_v<T, double> ? H5T_NATIVE_DOUBLE : H5T_NATIVE_INT64;
 }
 
-/// The reason of a fault: the message of the operating system, else that of HDF5.
-std::string reason() {
-  std::string said;
-  const auto look = [](unsigned, const H5E_error2_t* error, void* out) -> herr_t {
-    auto& text = *static_cast<std::string*>(out);
-    const char* const found = error->desc == nullptr ? nullptr : std::strstr(error->desc, "error message = '");
+/// Notes why the first call of HDF5 fails during its life. Later calls, those that close handles too, clear what HDF5
+/// itself remembers.
+class FirstReason {
+ public:
+  FirstReason() {
+    H5Eget_auto2(H5E_DEFAULT, &before_, &data_before_);
+    H5Eset_auto2(H5E_DEFAULT, note, this);
+  }
+  ~FirstReason() { H5Eset_auto2(H5E_DEFAULT, before_, data_before_); }
+  FirstReason(const FirstReason&) = delete;
+  FirstReason& operator=(const FirstReason&) = delete;
+
+  /// The message of the operating system, else that of HDF5.
+  const std::string& text() const { return text_; }
+  /// Whether the operating system refused a call.
+  bool of_system() const { return of_system_; }
+
+ private:
+  static herr_t note(hid_t stack, void* data) {
+    auto& self = *static_cast<FirstReason*>(data);
+    return self.text_.empty() ? H5Ewalk2(stack, H5E_WALK_UPWARD, look, data) : 0;
+  }
+  static herr_t look(unsigned, const H5E_error2_t* error, void* data) {
+    auto& self = *static_cast<FirstReason*>(data);
+    constexpr const char* k_before = "error message = '";
+    const char* const found = error->desc == nullptr ? nullptr : std::strstr(error->desc, k_before);
     if (found != nullptr) {
-      text = found + std::strlen("error message = '");
-      text = text.substr(0, text.find('\''));
-    } else if (text.empty() && error->desc != nullptr) {
-      text = error->desc;
+      self.text_ = found + std::strlen(k_before);
+      self.text_ = self.text_.substr(0, self.text_.find('\''));
+      self.of_system_ = true;
+    } else if (self.text_.empty() && error->desc != nullptr) {
+      self.text_ = error->desc;
     }
     return 0;
-  };
-  H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, look, &said);
-  return said;
-}
+  }
+
+  H5E_auto2_t before_ = nullptr;
+  void* data_before_ = nullptr;
+  std::string text_;
+  bool of_system_ = false;
+};
 
 }  // namespace
 
@@ -133,8 +157,9 @@ Hdf5Columns::Hdf5Columns(std::filesystem::path path, Layout layout, std::optiona
 }
 
 void Hdf5Columns::create(const std::filesystem::path& path) const {
+  const FirstReason reason;
   Hdf5Handle file(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, file_access().get()), H5Fclose);
-  if (!file.good()) fail(reason());
+  if (!file.good()) fail(reason.text());
   const Hdf5Handle group(H5Gcreate2(file.get(), layout_.group.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
                          H5Gclose);
   bool made = group.good() && describe(file, layout_.group, "about", layout_.about);
@@ -146,12 +171,13 @@ void Hdf5Columns::create(const std::filesystem::path& path) const {
   }
   made = made && make_dataset(file, layout_.index, H5T_STD_I64LE, k_index_width) &&
          describe(file, layout_.index, "about", layout_.about_index);
-  if (!made || H5Fflush(file.get(), H5F_SCOPE_LOCAL) < 0) fail(reason());
+  if (!made || H5Fflush(file.get(), H5F_SCOPE_LOCAL) < 0) fail(reason.text());
 }
 
 /// Copies the rows to keep into a new file next to the old one, which may hold rows of an unfinished write.
 void Hdf5Columns::take_over(Length keep) {
   {
+    const FirstReason reason;
     const Hdf5Handle old(H5Fopen(path_.c_str(), H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, file_access().get()), H5Fclose);
     if (!old.good() && !std::filesystem::exists(path_)) fail("it is not there");
     std::vector<std::int64_t> index(k_index_width * static_cast<std::size_t>(keep.blocks));
@@ -165,6 +191,7 @@ void Hdf5Columns::take_over(Length keep) {
                    read_rows(old, layout_.group + "/" + column.name, keep.rows, 1, memory_type(values), values.data());
           },
           column.values);
+    if (!held && reason.of_system()) throw FileError(path_.string() + ": cannot be read: " + reason.text());
     if (!held)
       throw InputError(path_.string() + ": does not hold the " + std::to_string(keep.rows) +
                        " rows that the checkpoint goes on from");
@@ -209,6 +236,7 @@ void Hdf5Columns::write_pending(const std::filesystem::path& path) {
     index.push_back(end);
   }
   {
+    const FirstReason reason;
     Hdf5Handle file(H5Fopen(path.c_str(), H5F_ACC_RDWR | H5F_ACC_SWMR_WRITE, file_access().get()), H5Fclose);
     bool done = file.good();
     for (const auto& column : layout_.columns)
@@ -221,9 +249,8 @@ void Hdf5Columns::write_pending(const std::filesystem::path& path) {
     done = done &&
            append(file, layout_.index, written_.blocks, ends_.size(), k_index_width, H5T_NATIVE_INT64, index.data());
     if (!done || H5Fflush(file.get(), H5F_SCOPE_LOCAL) < 0) {
-      const std::string why = reason();
       file.abandon();  // closing would report a file of its intended length, which cannot be opened
-      fail(why);
+      fail(reason.text());
     }
   }
   written_ = length();

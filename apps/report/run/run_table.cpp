@@ -51,6 +51,7 @@ std::vector<std::string> RunTable::texts(const std::string& name) const {
     fields.split(line);
     texts.emplace_back(fields[place]);
   }
+  if (in.bad() || texts.size() < rows()) throw FileError(file_.string() + ": cannot be read");
   return texts;
 }
 
