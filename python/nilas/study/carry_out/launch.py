@@ -13,10 +13,12 @@ import subprocess
 import tempfile
 import time
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import IO
 
 from nilas.study.carry_out.columns import ColumnMissing, column_value
+from nilas.study.carry_out.lock import wait_until_left
 from nilas.study.carry_out.outputs import faults_of, outputs_of
 from nilas.study.carry_out.provenance import (
     file_hash,
@@ -95,6 +97,7 @@ class Launcher:
     def start(self, run: Run) -> Child:
         """Starts a run: from its newest checkpoint if it was interrupted, else from nothing."""
         folder = self.plan.folder(run)
+        wait_until_left(folder)
         resumed = self._can_resume(run)
         command = self.command(run)
         if resumed:
@@ -119,7 +122,7 @@ class Launcher:
             stdin=subprocess.DEVNULL,
             stdout=subprocess.DEVNULL,
             stderr=errors,
-            preexec_fn=_prepare_child,
+            preexec_fn=partial(_prepare_child, os.getpid()),
         )
         return Child(run, process, errors, command, resumed, time.time())
 
@@ -262,7 +265,7 @@ def override_words(overrides: dict[str, str]) -> list[str]:
     return flags + (["--set", *settings] if settings else [])
 
 
-def _prepare_child() -> None:
+def _prepare_child(parent: int) -> None:
     """Takes the signals of the scheduler off, and asks to be stopped where it dies.
 
     Ctrl-C in a terminal goes to all processes of the group. The child leaves the group, so that
@@ -272,6 +275,8 @@ def _prepare_child() -> None:
     signal.pthread_sigmask(signal.SIG_SETMASK, [])
     set_parent_death_signal = 1  # PR_SET_PDEATHSIG of Linux
     ctypes.CDLL(None).prctl(set_parent_death_signal, signal.SIGTERM)
+    if os.getppid() != parent:  # It died before the request.
+        os.kill(os.getpid(), signal.SIGKILL)
 
 
 def _read_end(stream: IO[bytes]) -> str:

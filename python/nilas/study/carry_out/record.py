@@ -52,11 +52,29 @@ def record_of(text: str) -> Record:
 def write_whole(path: Path, text: str) -> None:
     """Writes a file so that others see all of it or nothing, even after a crash."""
     other = path.with_name(path.name + ".part")
-    with open(other, "w", encoding="utf-8") as stream:
-        stream.write(text)
-        stream.flush()
-        os.fsync(stream.fileno())
+    try:
+        with open(other, "w", encoding="utf-8") as stream:
+            stream.write(text)
+            stream.flush()
+            os.fsync(stream.fileno())
+    except OSError as error:  # of an open file, which does not know its name
+        raise OSError(error.errno, error.strerror, str(path)) from error
     os.replace(other, path)
+    _flush_names(path.parent)
+
+
+def _flush_names(folder: Path) -> None:
+    """Waits until the names in a folder are on the disk. Some file systems refuse it."""
+    try:
+        descriptor = os.open(folder, os.O_RDONLY)
+    except OSError:
+        return
+    try:
+        os.fsync(descriptor)
+    except OSError:
+        pass
+    finally:
+        os.close(descriptor)
 
 
 def flat_numbers(value: Any, path: str = "") -> dict[str, float]:
