@@ -1,0 +1,58 @@
+"""Chooses which calls fail, and how."""
+
+from __future__ import annotations
+
+import errno
+import random
+from collections.abc import Iterator
+
+from interpose import Plan
+
+# What makes a call of each class fail in practice.
+_ERRORS = {
+    "open": (errno.EMFILE, errno.EACCES),
+    "read": (errno.EIO,),
+    "write": (errno.ENOSPC, errno.EIO),
+    "sync": (errno.EIO,),
+    "rename": (errno.ENOSPC, errno.EACCES),
+    "unlink": (errno.EACCES,),
+    "truncate": (errno.EIO,),
+    "folder": (errno.ENOSPC, errno.EACCES),
+    "close": (errno.ENOSPC,),
+    "lock": (errno.ENOLCK, errno.EWOULDBLOCK),
+    "stat": (errno.EIO,),
+    "memory": (errno.ENOMEM,),
+    "mmap": (errno.ENOMEM,),
+    "process": (errno.EAGAIN,),
+    "thread": (errno.EAGAIN,),
+}
+# Faults that stay: a full disk, a broken one, and a machine without memory.
+_LASTING = {"write", "read", "memory", "sync", "open"}
+KINDS = tuple(_ERRORS)
+
+
+def plans(kind: str, calls: int, most: int, chance: random.Random) -> list[Plan]:
+    """Plans for a class of so many calls: all of them, or as many as `most`, drawn evenly."""
+    every = list(_all(kind, calls)) if calls * 3 <= 20000 else list(_spread(kind, calls, most, chance))
+    return every if len(every) <= most else sorted(chance.sample(every, most), key=_order)
+
+
+def _all(kind: str, calls: int) -> Iterator[Plan]:
+    for at in range(1, calls + 1):
+        for error in _ERRORS[kind]:
+            yield Plan(kind, at, str(error))
+        if kind == "write":
+            yield Plan(kind, at, "short")
+        if kind in _LASTING:
+            yield Plan(kind, at, str(_ERRORS[kind][0]), lasting=True)
+
+
+def _spread(kind: str, calls: int, most: int, chance: random.Random) -> Iterator[Plan]:
+    """One call of each of as many stretches as there are plans: most allocations are at the start."""
+    for k in range(most):
+        at = 1 + int(calls * (k + chance.random()) / most)
+        yield Plan(kind, at, str(_ERRORS[kind][0]), lasting=kind in _LASTING and k % 2 == 1)
+
+
+def _order(plan: Plan) -> tuple[int, str, bool]:
+    return plan.at, plan.action, plan.lasting
