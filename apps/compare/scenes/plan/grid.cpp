@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
+#include <system_error>
 
 #include "contact/registry.h"
 #include "core/base/error.h"
@@ -13,6 +15,13 @@
 namespace nilas::compare {
 
 namespace {
+
+/// Whether an error is one of a file. It is none of the setting that was tried when the file could not be read.
+bool is_of_file(const std::runtime_error& error) {
+  const auto* const scene = dynamic_cast<const SceneError*>(&error);
+  return (scene != nullptr && scene->only_unreadable_files()) || dynamic_cast<const FileError*>(&error) != nullptr ||
+         dynamic_cast<const std::system_error*>(&error) != nullptr;
+}
 
 bool holds(const std::vector<CompareSetting>& settings, const CompareSetting& one) {
   return std::find(settings.begin(), settings.end(), one) != settings.end();
@@ -48,6 +57,7 @@ class Collector {
       read_with(scene_, overrides_, setting);
       grid_.settings.push_back(setting);
     } catch (const std::runtime_error& e) {
+      if (is_of_file(e)) throw;
       grid_.refused.push_back({setting, e.what()});
     }
   }
@@ -227,7 +237,8 @@ CompareSetting reference_setting(const scene::Scene& scene, const scene::Overrid
     try {
       read_with(scene, overrides, reference);
       return true;
-    } catch (const std::runtime_error&) {
+    } catch (const std::runtime_error& e) {
+      if (is_of_file(e)) throw;
       return false;
     }
   };
