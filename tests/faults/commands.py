@@ -63,13 +63,18 @@ def _same_run(bench: Bench, run: Path, reference: Path) -> str:
     return difference(run, reference)
 
 
-def _mend_run(bench: Bench, reference: Path) -> str:
-    """Resumes a run; where there is nothing to resume it begins again, as the message says."""
+def _mend_run(bench: Bench, reference: Path, forced: bool) -> str:
+    """Resumes a run; where there is nothing to resume it begins again, as the message says.
+
+    ``forced``: it may need --force for that, as after a loss of power, which takes the log too.
+    """
     run = bench.folder / "run"
     had_checkpoint = (run / "checkpoint.h5").exists()
     ended = bench.runner.plainly(bench.words("run --resume run --quiet"))
     if ended.code == _FILE and not (run / "scene.xml").exists() and not had_checkpoint:
         ended = bench.runner.plainly(bench.words("run ship.xml --out run --quiet"))
+        if ended.code == _BAD_INPUT and forced and "--force" in ended.err:
+            ended = bench.runner.plainly(bench.words("run ship.xml --out run --quiet --force"))
     if ended.code != _DONE:
         return f"cannot be continued, exit code {ended.code}: {ended.err.strip()}"
     return _same_run(bench, run, reference)
@@ -94,7 +99,7 @@ def run_command(bench: Bench, store: Path) -> Command:
         "run ship.xml --out run --quiet",
         "run",
         None,
-        lambda: _mend_run(bench, reference),
+        lambda: _mend_run(bench, reference, not (bench.folder / "run/nilas.log").exists()),
         lambda done: _judge_run(bench, reference, done),
     )
 
