@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import io
 import re
 from pathlib import Path
 
@@ -23,7 +24,7 @@ from nilas.study.describe.study import (
     Study,
     Until,
 )
-from nilas.study.describe.yaml_items import Item, read_items
+from nilas.study.describe.yaml_items import Item, read_items, text_of
 
 TOP_KEYS = (
     "name", "scene", "out", "set", "factors", "design", "seeds", "responses", "run", "job"
@@ -96,9 +97,16 @@ def _scene(top: Section, file: Path) -> Path:
         top.fault(None, "'scene' is missing. It names the scene file that the study varies.")
         return file
     scene = (file.parent / top.text("scene")).absolute()
-    if not scene.is_file():
+    if not _is_file(scene):
         top.fault("scene", f"There is no file {scene}. The path is relative to the study file.")
     return scene
+
+
+def _is_file(path: Path) -> bool:
+    try:
+        return path.is_file()
+    except OSError:  # such as a name that is too long
+        return False
 
 
 def _design(item: Item | None, file: Path, factors: tuple[Factor, ...], faults: Faults) -> Design:
@@ -177,13 +185,12 @@ def _rows(
 def _rows_of_file(section: Section, file: Path) -> list[tuple[int, dict[str, str]]]:
     path = file.parent / section.text("file")
     try:
-        with open(path, newline="", encoding="utf-8") as stream:
-            rows = [
-                {key.strip(): (value or "").strip() for key, value in row.items() if key}
-                for row in csv.DictReader(stream)
-            ]
-    except OSError as error:
-        section.fault("file", f"{path} cannot be read: {error.strerror}.")
+        rows = [
+            {key.strip(): (value or "").strip() for key, value in row.items() if key}
+            for row in csv.DictReader(io.StringIO(text_of(path), newline=""))
+        ]
+    except (OSError, ValueError, csv.Error) as error:
+        section.fault("file", f"{path} cannot be read: {getattr(error, 'strerror', None) or error}.")
         return []
     return [(number, row) for number, row in enumerate(rows, 2)]
 
