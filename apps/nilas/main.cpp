@@ -31,34 +31,41 @@ void say(std::string_view text) {
   [[maybe_unused]] const auto written = ::write(STDERR_FILENO, text.data(), text.size());
 }
 
+/// A message that changes nothing at the terminal: names of files and values may hold control characters.
+std::string shown(std::string message) {
+  for (char& c : message)
+    if ((static_cast<unsigned char>(c) < ' ' && c != '\n' && c != '\t') || c == '\x7f') c = '?';
+  return message;
+}
+
 /// Runs a body and maps its exceptions to exit codes.
 template <class Body>
 int guarded(const Body& body) {
   try {
     return body();
   } catch (const nilas::SceneError& e) {
-    std::cerr << e.what() << "\n" << e.faults().size() << (e.faults().size() == 1 ? " fault\n" : " faults\n");
+    std::cerr << shown(e.what()) << "\n" << e.faults().size() << (e.faults().size() == 1 ? " fault\n" : " faults\n");
     return e.only_unreadable_files() ? nilas::exit_file : nilas::exit_bad_input;
   } catch (const nilas::InputError& e) {
-    std::cerr << "error: " << e.what() << "\n";
+    std::cerr << "error: " << shown(e.what()) << "\n";
     return nilas::exit_bad_input;
   } catch (const nilas::FileError& e) {
-    std::cerr << "error: " << e.what() << "\n";
+    std::cerr << "error: " << shown(e.what()) << "\n";
     return nilas::exit_file;
   } catch (const std::bad_alloc&) {
     say(k_no_memory);
     return nilas::exit_file;
   } catch (const std::system_error& e) {  // of files, and of threads that the system refuses
-    std::cerr << "error: " << e.what() << "\n";
+    std::cerr << "error: " << shown(e.what()) << "\n";
     return nilas::exit_file;
   } catch (const nilas::Interruption& e) {
-    std::cerr << e.what() << "\n";
+    std::cerr << shown(e.what()) << "\n";
     return nilas::exit_interrupted;
   } catch (const nilas::SimulationError& e) {
-    std::cerr << "error: " << e.what() << "\n";
+    std::cerr << "error: " << shown(e.what()) << "\n";
     return nilas::exit_numerics;
   } catch (const std::exception& e) {
-    std::cerr << "internal error, please report it: " << e.what() << "\n";
+    std::cerr << "internal error, please report it: " << shown(e.what()) << "\n";
     return nilas::exit_numerics;
   }
 }
@@ -92,7 +99,7 @@ void leave(int) {
 /// printed, or after --help and --version.
 std::optional<int> read_words(CLI::App& app, const std::vector<std::string>& words) {
   const auto refuse = [](const std::string& fault) {
-    std::cerr << nilas::output::wrapped("error: " + fault, 0) << "\n";
+    std::cerr << nilas::output::wrapped("error: " + shown(fault), 0) << "\n";
     return nilas::exit_bad_input;
   };
   if (words.empty()) {

@@ -5,18 +5,27 @@
 
 namespace nilas {
 
+/// A text without its middle where it repeats a value that is too long to be read.
+static std::string shortened(const std::string& text) {
+  constexpr std::size_t k_begin = 600, k_end = 1400;  // the end tells what is allowed
+  if (text.size() <= k_begin + k_end) return text;
+  return text.substr(0, k_begin) + " ... " + text.substr(text.size() - k_end);
+}
+
 std::string Fault::text() const {
   std::string s = file;
   if (line > 0) s += ":" + std::to_string(line);
   if (line > 0 && column > 0) s += ":" + std::to_string(column);
   if (!s.empty()) s += ": ";
-  if (!where.empty()) s += where + ": ";
-  return s + message;
+  if (!where.empty()) s += shortened(where) + ": ";
+  return s + shortened(message);
 }
 
 static std::string join(const std::vector<Fault>& faults) {
+  constexpr std::size_t k_most = 200;  // nobody reads more of them at once
   std::string s;
-  for (const auto& f : faults) s += (s.empty() ? "" : "\n") + f.text();
+  for (std::size_t k = 0; k < std::min(faults.size(), k_most); ++k) s += (s.empty() ? "" : "\n") + faults[k].text();
+  if (faults.size() > k_most) s += "\nThere are " + std::to_string(faults.size() - k_most) + " further faults.";
   return s;
 }
 
@@ -55,6 +64,9 @@ std::string nearest_name(const std::string& written, const std::vector<std::stri
   // about one edit in each three letters; of a word of two letters, more would leave nothing
   std::size_t best_distance = (word.size() + 1) / 3 + 1;
   for (const auto& c : candidates) {
+    // Each edit changes the length by one at most.
+    const std::size_t longer = std::max(word.size(), c.size()) - std::min(word.size(), c.size());
+    if (longer >= best_distance && !c.starts_with(word + "_")) continue;
     const std::size_t d = c.starts_with(word + "_") ? 1 : edit_distance(word, c);  // only its unit is missing
     if (d < best_distance) {
       best_distance = d;

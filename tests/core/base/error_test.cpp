@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/support/refusal.h"
 
 namespace nilas {
@@ -43,6 +45,30 @@ TEST(NearestName, OfShortNamesMostLettersMustAgree) {
   EXPECT_EQ(nearest_name("r1", {"ci", "r2"}), "r2");
   EXPECT_EQ(nearest_name("x", {"y", "xy"}), "");
   EXPECT_EQ(nearest_name("tank", {"mass"}), "");
+}
+
+/// Editing a name into one of half its length takes more edits than are allowed.
+TEST(NearestName, OfAMegabyteIsFoundAtOnce) {
+  const std::vector<std::string> names(1000, "thickness");
+  EXPECT_EQ(nearest_name(std::string(1 << 20, 't'), names), "");
+  EXPECT_EQ(nearest_name("thickness_m", {"thickness"}), "thickness");
+  EXPECT_EQ(nearest_name("pull", {"pull_of_the_propeller_in_N"}), "pull_of_the_propeller_in_N");
+}
+
+TEST(SceneError, ShowsTwoHundredFaultsAndCountsTheOthers) {
+  std::vector<Fault> faults(1000, Fault{"s.xml", 1, 2, "<ice>", "wrong"});
+  const SceneError error(faults);
+  const std::string said = error.what();
+  EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 200);
+  EXPECT_NE(said.find("800 further faults"), std::string::npos);
+  EXPECT_EQ(error.faults().size(), 1000U);
+}
+
+TEST(Fault, ALongValueIsCutInTheMiddle) {
+  const Fault fault{"s.xml", 1, 2, "<ice>", "found " + std::string(1 << 20, '1') + "; allowed: > 0"};
+  EXPECT_LT(fault.text().size(), 2100U);
+  EXPECT_NE(fault.text().find("found 111"), std::string::npos);
+  EXPECT_NE(fault.text().find("allowed: > 0"), std::string::npos);
 }
 
 TEST(NearestName, KnowsAmericanSpelling) {
