@@ -15,6 +15,8 @@ namespace nilas {
 namespace {
 
 constexpr std::string_view k_blank = " \t\r";
+/// Longest line of a user's table; a few columns take far less.
+constexpr std::size_t k_longest_line = 1 << 16;
 constexpr std::string_view k_byte_order_mark = "\xEF\xBB\xBF";
 
 std::string_view trimmed(std::string_view text) {
@@ -33,14 +35,15 @@ class CsvReader {
   CsvReader(const std::string& file, const std::vector<std::string>& columns) : file_(file), columns_(columns) {}
 
   CsvTable read() {
-    demand_there(file_, "file");
-    std::ifstream in(file_);
-    if (!in) throw FileError(file_ + ": cannot be opened");
+    const std::string bytes = file_bytes(file_, k_most_text_bytes);
     CsvTable table;
-    std::string line;
-    while (std::getline(in, line)) {
+    for (std::size_t begin = 0; begin < bytes.size();) {
+      const std::size_t end = std::min(bytes.find('\n', begin), bytes.size());
+      std::string_view text = std::string_view(bytes).substr(begin, end - begin);
+      begin = end + 1;
       ++line_;
-      std::string_view text = line;
+      if (text.size() > k_longest_line)
+        refuse(1, "the line has more than " + std::to_string(k_longest_line) + " bytes");
       if (line_ == 1 && text.starts_with(k_byte_order_mark)) text.remove_prefix(k_byte_order_mark.size());
       const std::size_t first = text.find_first_not_of(k_blank);
       if (first == std::string_view::npos || text[first] == '#') continue;
@@ -52,7 +55,6 @@ class CsvReader {
         table.lines.push_back(line_);
       }
     }
-    if (in.bad()) throw FileError(file_ + ": cannot be read");
     if (place_.empty()) throw InputError(file_ + ": empty; expected the header " + list(columns_));
     if (table.rows.empty()) throw InputError(file_ + ": no rows below the header");
     return table;
@@ -152,6 +154,7 @@ CsvTable read_csv(const std::string& file, const std::vector<std::string>& colum
 }
 
 std::vector<std::vector<double>> csv_columns(const std::filesystem::path& file, const std::vector<std::string>& names) {
+  demand_file(file);
   std::ifstream in(file);
   std::string line;
   if (!in || !std::getline(in, line)) throw FileError(file.string() + ": cannot be read");

@@ -38,7 +38,7 @@ class LabelledHdf5 : public LabelledFile {
 }  // namespace
 
 bool is_classic_netcdf(const std::filesystem::path& path) {
-  demand_there(path, "file");
+  demand_file(path);
   std::ifstream in(path, std::ios::binary);
   std::string start(3, '\0');
   return in.read(start.data(), static_cast<std::streamsize>(start.size())) && start == "CDF";

@@ -288,7 +288,7 @@ Database read_wamit(const fs::path& file_or_stem, const WamitScale& scale) {
 }
 
 WamitScale wamit_geometry_scale(const fs::path& file) {
-  std::istringstream text(file_bytes(file));
+  std::istringstream text(file_bytes(file, k_most_text_bytes));
   std::string line;
   std::getline(text, line);  // a title
   WamitScale scale;

@@ -34,7 +34,7 @@ static std::optional<double> number_in(const std::string& written) {
 }
 
 WamitRows::WamitRows(const std::filesystem::path& file, std::initializer_list<int> columns) : file_(file.string()) {
-  std::istringstream text(file_bytes(file));
+  std::istringstream text(file_bytes(file, k_most_text_bytes));
   std::string line;
   for (int n = 1; std::getline(text, line); ++n) add(line, n, columns);
   if (rows_.empty()) throw InputError(file_ + ": holds no rows of numbers");

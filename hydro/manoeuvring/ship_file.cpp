@@ -106,7 +106,7 @@ std::vector<NamedNumber> numbers_in(MmgRudder& rudder) {
 class ShipEntries {
  public:
   explicit ShipEntries(const std::string& file) : file_(file) {
-    std::istringstream lines(file_bytes(file));
+    std::istringstream lines(file_bytes(file, k_most_text_bytes));
     int number = 0;
     bool header = false;
     CsvLine fields;

@@ -27,7 +27,7 @@ std::optional<double> number_of_word(const std::string& word) {
 
 MoordynWater moordyn_water(const std::string& file) {
   MoordynWater water;
-  std::istringstream lines(file_bytes(file));
+  std::istringstream lines(file_bytes(file, k_most_text_bytes));
   bool in_options = false;
   for (std::string line; std::getline(lines, line);) {
     if (line.starts_with("---")) in_options = in_lower_case(line).find("option") != std::string::npos;

@@ -83,6 +83,11 @@ TEST_F(CsvTest, QuotedFieldsHoldCommasAndQuotes) {
   EXPECT_EQ(line.column(3), 15U);
 }
 
+TEST_F(CsvTest, ALineLongerThanAnyTableHasIsRefused) {
+  const std::string file = write("t,x\n1,2\n" + std::string(100000, ',') + "\n");
+  test::expect_refusal([&] { read_csv(file, {"t", "x"}); }, {":3:1:", "more than 65536 bytes"});
+}
+
 TEST_F(CsvTest, ColumnsOfARunEndWithItsLastCompleteRow) {
   const auto file = write("t,\"name, with comma\",x\n1,\"p,q\",2\n3,r,word\n5,s,6");
   const auto columns = csv_columns(file, {"x", "t"});

@@ -1,12 +1,19 @@
 #include "core/base/file_bytes.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <fstream>
+#include <thread>
 
 #include "core/base/error.h"
+#include "tests/support/refusal.h"
 #include "tests/support/scratch_folder.h"
 
 namespace nilas {
 namespace file_bytes_test {
+
+namespace fs = std::filesystem;
 
 TEST(FileBytes, AreThoseOfTheFile) {
   const test::ScratchFolder folder;
@@ -22,6 +29,38 @@ TEST(FileBytes, WhatCannotBeReadIsNoEmptyFile) {
   EXPECT_THROW(file_bytes("/proc/self/mem"), FileError);  // opens, and fails at its first byte
   EXPECT_THROW(file_bytes(folder / "absent"), FileError);
   EXPECT_THROW(file_bytes(folder / "."), FileError);
+}
+
+TEST(FileBytes, NeitherDevicesNorEndlessFilesAreRead) {
+  const test::ScratchFolder folder;
+  fs::create_symlink("/dev/zero", folder / "link");
+  for (const fs::path& path : {fs::path("/dev/zero"), folder / "link", fs::path("/dev/null")}) {
+    test::expect_refusal<FileError>([&] { file_bytes(path); }, {"is a device"});
+    test::expect_refusal<FileError>([&] { demand_file(path); }, {"is no file"});
+  }
+  fs::create_symlink("loop", folder / "loop");
+  EXPECT_THROW(file_bytes(folder / "loop"), FileError);
+  EXPECT_THROW(demand_file(folder / "loop"), FileError);
+}
+
+TEST(FileBytes, LargeFilesAreRefusedBeforeTheyAreRead) {
+  const test::ScratchFolder folder;
+  const fs::path file = folder.write("large", "");
+  constexpr std::size_t k_terabyte = std::size_t{1} << 40;
+  fs::resize_file(file, k_terabyte);  // it takes no place on the disk
+  test::expect_refusal([&] { file_bytes(file); }, {"too large", "4096 MB"});
+  EXPECT_EQ(file_bytes(folder.write("ten", "0123456789"), 10).size(), 10U);
+  EXPECT_THROW(file_bytes(folder / "ten", 9), InputError);
+}
+
+TEST(FileBytes, PipesAreReadToTheEnd) {
+  const test::ScratchFolder folder;
+  const fs::path pipe = folder / "pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), S_IRUSR | S_IWUSR), 0);
+  const std::string sent(200000, 'x');
+  std::thread writer([&] { std::ofstream(pipe) << sent; });
+  EXPECT_EQ(file_bytes(pipe), sent);
+  writer.join();
 }
 
 TEST(FileBytes, AnAbsentFileIsToldWithTheNearestName) {
