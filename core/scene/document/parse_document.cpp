@@ -81,6 +81,7 @@ SceneElement parse_document(const std::string& text, const std::string& file) {
     const auto line = std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(nul), '\n') + 1;
     refuse({file, static_cast<int>(line), 0, "", "the file holds a zero byte; it is not XML in UTF-8"});
   }
+  if (const auto size = size_fault(text, file)) refuse(*size);
   tinyxml2::XMLDocument document;
   const bool parsed = document.Parse(text.data(), text.size()) == tinyxml2::XML_SUCCESS;
   // The parser accepts some tags that close nothing.

@@ -24,6 +24,14 @@ int column_of(const std::string& line, std::size_t byte) {
   return 1 + static_cast<int>(std::count_if(line.begin(), end, starts_character));
 }
 
+/// Counts on from the place that was asked for before, so that a line of many elements is counted once.
+int SourceColumns::column_in(Line& line, std::size_t byte) {
+  if (byte < line.byte) return column_of(line.text, byte);
+  line.column += column_of(line.text.substr(line.byte, byte - line.byte), byte - line.byte) - 1;
+  line.byte = byte;
+  return line.column;
+}
+
 SourceColumns::SourceColumns(const std::string& text) {
   const std::string clean = without_comments(text);
   for (std::size_t first = 0; first <= clean.size();) {
@@ -34,8 +42,9 @@ SourceColumns::SourceColumns(const std::string& text) {
 }
 
 SourceColumns::Line* SourceColumns::find(int line) {
+  constexpr std::size_t k_longest = 1 << 16;
   const bool known = line >= 1 && static_cast<std::size_t>(line) <= lines_.size();
-  return known ? &lines_[line - 1] : nullptr;
+  return known && lines_[line - 1].text.size() <= k_longest ? &lines_[line - 1] : nullptr;
 }
 
 int SourceColumns::tag(int line, const std::string& name) {
@@ -46,7 +55,7 @@ int SourceColumns::tag(int line, const std::string& name) {
     const auto end = at + open.size();
     if (end < l->text.size() && !is_blank(l->text[end]) && l->text[end] != '>' && l->text[end] != '/') continue;
     l->cursor = end;
-    return column_of(l->text, at);
+    return column_in(*l, at);
   }
   return 0;
 }
@@ -62,7 +71,7 @@ int SourceColumns::attribute(int line, const std::string& name) {
     const auto quote = std::min(l->text.find_first_of("\"'", at), l->text.size());
     const auto close = quote < l->text.size() ? l->text.find(l->text[quote], quote + 1) : std::string::npos;
     l->cursor = close == std::string::npos ? at + name.size() : close + 1;
-    return column_of(l->text, at);
+    return column_in(*l, at);
   }
   return 0;
 }

@@ -1,5 +1,6 @@
 #pragma once
-/// Finds columns in the text, because the XML parser knows only lines. Call in document order.
+/// Finds columns in the text, because the XML parser knows only lines. Call in document order. The columns of lines
+/// longer than 64 kB are not known: to search in them for thousands of elements takes long.
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -18,8 +19,11 @@ class SourceColumns {
   struct Line {
     std::string text;        ///< comments blanked out
     std::size_t cursor = 0;  ///< everything before it was already requested
+    std::size_t byte = 0;    ///< newest place whose column was asked for
+    int column = 1;          ///< its column
   };
   Line* find(int line);
+  static int column_in(Line& line, std::size_t byte);
   std::vector<Line> lines_;
 };
 

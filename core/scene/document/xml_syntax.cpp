@@ -27,6 +27,20 @@ class TagWalk {
                                    name_at(open_.back() + 1) + "> is missing");
   }
 
+  /// The first tag with more attributes than any element has.
+  std::optional<Fault> first_crowded() const {
+    constexpr int k_most_attributes = 1000;
+    for (auto at = text_.find('<'); at != std::string::npos; at = text_.find('<', at)) {
+      const auto end = std::min(end_of(at), text_.size());
+      const bool is_element = at + 1 < text_.size() && text_[at + 1] != '!' && text_[at + 1] != '?';
+      const auto from = text_.begin() + static_cast<std::ptrdiff_t>(at);
+      if (is_element && std::count(from, text_.begin() + static_cast<std::ptrdiff_t>(end), '=') > k_most_attributes)
+        return fault(at, "the tag has more than " + std::to_string(k_most_attributes) + " attributes");
+      at = end;
+    }
+    return std::nullopt;
+  }
+
  private:
   /// One past the '>' of the markup that begins at `at`.
   std::size_t end_of(std::size_t at) const {
@@ -90,6 +104,15 @@ class TagWalk {
 };
 
 }  // namespace
+
+std::optional<Fault> size_fault(const std::string& text, const std::string& file) {
+  constexpr std::size_t k_most_bytes_of_scene = std::size_t{64} << 20;
+  constexpr std::ptrdiff_t k_most_tags = 1'000'000;
+  if (text.size() > k_most_bytes_of_scene) return Fault{file, 0, 0, "", "the file has more than 64 MB"};
+  if (std::count(text.begin(), text.end(), '<') > k_most_tags)
+    return Fault{file, 0, 0, "", "the file has more than " + std::to_string(k_most_tags) + " tags"};
+  return TagWalk(text, file).first_crowded();
+}
 
 std::optional<Fault> tag_fault(const std::string& text, const std::string& file) {
   return TagWalk(text, file).first_fault();

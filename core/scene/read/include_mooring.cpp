@@ -18,7 +18,7 @@ void include_mooring(SceneElement& root, const fs::path& scene_file, std::vector
   const fs::path path = fs::absolute(scene_file).parent_path() / file->value;
   std::error_code ignored;
   if (!fs::is_regular_file(path, ignored)) return;
-  SceneElement content = parse_document(file_bytes(path), path.string());
+  SceneElement content = parse_document(file_bytes(path, k_most_text_bytes), path.string());
   if (content.name != "mooring") {
     faults.push_back(fault_of(content, "found <" + content.name + "> as the root; allowed: <mooring>"));
     return;

@@ -65,7 +65,7 @@ Scene read_scene(const std::filesystem::path& file, const Overrides& overrides, 
   std::error_code ignored;
   if (const std::string moved = moved_scene(file); !moved.empty() && !std::filesystem::exists(file, ignored))
     throw FileError("cannot open scene file " + file.string() + moved);
-  return read_scene_text(file_bytes(file), file, overrides, scale);
+  return read_scene_text(file_bytes(file, k_most_text_bytes), file, overrides, scale);
 }
 
 Scene read_scene_text(std::string text, const std::filesystem::path& file, const Overrides& overrides, double scale) {

@@ -26,6 +26,33 @@ TEST(XmlSyntax, AFileCutShortNamesWhatIsOpen) {
                {"the file ends inside this tag"});
 }
 
+TEST(XmlSyntax, WhatIsLargerThanAnySceneIsRefusedAtOnce) {
+  const SceneFolder folder;
+  const auto message = [&](const std::string& text) { return folder.faults(text).at(0).message; };
+  std::string tags = "<scene version='1'>", attributes = "<scene version='1'><ice";
+  for (int k = 0; k < 1'000'000; ++k) tags += "<i/>";
+  for (int k = 0; k < 1001; ++k) attributes += " a" + std::to_string(k) + "='1'";
+  EXPECT_EQ(message(tags + "</scene>"), "the file has more than 1000000 tags");
+  EXPECT_EQ(message(attributes + "/></scene>"), "the tag has more than 1000 attributes");
+  EXPECT_EQ(message(std::string((64 << 20) + 1, ' ')), "the file has more than 64 MB");
+}
+
+/// Each column was once counted from the start of its line: a scene on one line took minutes.
+TEST(XmlSyntax, ColumnsAreRightInALineOfManyElements) {
+  const SceneFolder folder;
+  std::string text = "<scene version='1'>";
+  for (int k = 0; k < 3000; ++k) text += "<å/>";
+  const auto faults = folder.faults(text + "</scene>");
+  ASSERT_GT(faults.size(), 2999U);
+  for (const auto& fault : faults)
+    if (fault.where == "<å>") {
+      EXPECT_EQ((fault.column - 20) % 4, 0) << fault.column;
+    }
+  std::string longer = "<scene version='1'>";
+  for (int k = 0; k < 20000; ++k) longer += "<abcd/>";
+  EXPECT_EQ(folder.faults(longer + "</scene>").back().column, 0) << "of such a line no column is known";
+}
+
 /// However many bytes are missing at the end, the scene is refused (not read in part).
 TEST(XmlSyntax, EveryTruncationIsRefused) {
   const SceneFolder folder;
