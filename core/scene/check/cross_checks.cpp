@@ -8,7 +8,12 @@
 namespace nilas::scene {
 
 static void check_time(const SceneElement& time, std::vector<Fault>& faults) {
-  const auto start = number_of(time, "start"), end = number_of(time, "end");
+  constexpr double k_most_steps = 1e12;  // centuries of computing; steps are counted by integers
+  const auto start = number_of(time, "start"), end = number_of(time, "end"), step = number_of(time, "step");
+  if (start && end && step && (*end - *start) / *step > k_most_steps)
+    faults.push_back(fault_of(time, "step",
+                              "found " + format_number(*step) + ", which makes more than " +
+                                  format_number(k_most_steps) + " steps; allowed: fewer, by a longer step"));
   if (start && end && !(*end > *start))
     faults.push_back(
         fault_of(time, "end",

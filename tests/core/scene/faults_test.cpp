@@ -118,6 +118,7 @@ TEST(Faults, ValuesOfEveryType) {
   };
   fault("<time step='1e-2 s'/>", "<time step>", {"found 's'", "a finite number > 0 [s]"});
   fault("<time step='0.1 0.2'/>", "<time step>", {"found '0.1 0.2'"});
+  fault("<time step='4.9e-324' end='1'/>", "<time step>", {"more than", "steps"});
   fault("<time step=''/>", "<time step>", {"found ''"});
   fault("<gravity value='0 0'/>", "<gravity value>", {"found 2 numbers", "3 finite numbers [m/s^2]"});
   fault("<gravity value='0,0,-9.81'/>", "<gravity value>", {"found '0,0,-9.81'", "blanks separate"});
