@@ -17,6 +17,9 @@ namespace {
 enum class ListTag : std::uint32_t { absent = 0, dimension = 10, variable = 11, attribute = 12 };
 enum class ValueKind : std::uint32_t { int8 = 1, text = 2, int16 = 3, int32 = 4, float32 = 5, float64 = 6, int64 = 10 };
 
+/// Most dimensions of a variable, as the format's own library has it.
+constexpr std::uint64_t k_most_dimensions = 1024;
+
 std::optional<std::size_t> bytes_of(std::uint32_t kind) {
   switch (static_cast<ValueKind>(kind)) {
     case ValueKind::int8:
@@ -73,8 +76,7 @@ class ByteReader {
 };
 
 struct Variable {
-  std::vector<std::string> dimensions;
-  std::vector<std::size_t> shape;
+  std::vector<std::size_t> dimensions;  ///< their places in the list of dimensions
   std::uint32_t kind = 0;
   std::uint64_t offset = 0;
 };
@@ -96,7 +98,11 @@ class ClassicNetcdf : public LabelledFile {
   LabelledArray numbers(const std::string& name) const override {
     const Variable& variable = find(name);
     if (variable.kind == static_cast<std::uint32_t>(ValueKind::text)) refuse(name, "does not hold numbers");
-    LabelledArray array{variable.dimensions, variable.shape, {}};
+    LabelledArray array;
+    for (const std::size_t dimension : variable.dimensions) {
+      array.dimensions.push_back(dimension_names_[dimension]);
+      array.shape.push_back(dimension_sizes_[dimension]);
+    }
     ByteReader in(bytes_, path());
     in.move_to(variable.offset);
     const std::size_t count = values_in(variable, in);
@@ -110,7 +116,7 @@ class ClassicNetcdf : public LabelledFile {
     if (variable.kind != static_cast<std::uint32_t>(ValueKind::text)) refuse(name, "does not hold texts");
     ByteReader in(bytes_, path());
     in.move_to(variable.offset);
-    const std::size_t length = variable.shape.empty() ? 1 : variable.shape.back();
+    const std::size_t length = variable.dimensions.empty() ? 1 : dimension_sizes_[variable.dimensions.back()];
     const std::size_t count = length == 0 ? 0 : values_in(variable, in) / length;
     std::vector<std::string> texts;
     for (std::size_t k = 0; k < count; ++k) {
@@ -167,11 +173,12 @@ class ClassicNetcdf : public LabelledFile {
     for (std::uint64_t n = list_length(in, ListTag::variable); n > 0; --n) {
       const std::string name_of_variable = name(in);
       Variable variable;
-      for (std::uint64_t rank = in.number(length_bytes_); rank > 0; --rank) {
+      std::uint64_t rank = in.number(length_bytes_);
+      if (rank > k_most_dimensions) in.fail();
+      for (; rank > 0; --rank) {
         const std::uint64_t dimension = in.number(length_bytes_);
         if (dimension >= dimension_names_.size()) in.fail();
-        variable.dimensions.push_back(dimension_names_[dimension]);
-        variable.shape.push_back(dimension_sizes_[dimension]);
+        variable.dimensions.push_back(static_cast<std::size_t>(dimension));
       }
       skip_attributes(in);
       variable.kind = in.tag();
@@ -192,7 +199,8 @@ class ClassicNetcdf : public LabelledFile {
   std::size_t values_in(const Variable& variable, const ByteReader& in) const {
     std::size_t count = 1;
     const std::size_t room = bytes_.size() - static_cast<std::size_t>(variable.offset);
-    for (const std::size_t n : variable.shape) {
+    for (const std::size_t dimension : variable.dimensions) {
+      const std::size_t n = dimension_sizes_[dimension];
       if (n > 0 && count > room / n) in.fail();
       count *= n;
     }
