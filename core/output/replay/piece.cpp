@@ -13,6 +13,8 @@ namespace nilas::output::replay {
 namespace {
 
 constexpr std::size_t k_piece_head = 5;  // kind and length
+/// Far more than a frame or the shapes of a million floes take.
+constexpr std::size_t k_most_content = std::size_t{256} << 20;
 // Fast packing: the numbers are small already, and the run waits for it.
 constexpr int k_level = 1;
 
@@ -62,8 +64,10 @@ std::string unpacked(std::string_view packed) {
     stream.avail_out = static_cast<uInt>(part.size());
     state = inflate(&stream, Z_NO_FLUSH);
     content.append(part.data(), part.size() - stream.avail_out);
+    if (content.size() > k_most_content) break;
   }
   inflateEnd(&stream);
+  if (content.size() > k_most_content) throw InputError("a piece of a replay file unpacks to more than 256 MB");
   if (state != Z_STREAM_END) throw InputError("a piece of a replay file is damaged");
   return content;
 }
