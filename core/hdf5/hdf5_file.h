@@ -94,6 +94,7 @@ class Hdf5Reader {
  private:
   struct Dataset;
   Dataset open(const std::string& name) const;
+  static std::size_t chunk_entries(const Dataset& dataset);
   void check_storage(const Dataset& dataset, const std::string& name) const;
   void read_first(const std::string& name, std::size_t count, std::int64_t type, void* values) const;
   VecX read_numbers(const std::string& name) const;

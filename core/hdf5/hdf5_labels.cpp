@@ -26,6 +26,11 @@ std::vector<std::string> variable_texts(const OpenDataset& data, std::size_t cou
   const Hdf5Handle memory(H5Tcopy(H5T_C_S1), H5Tclose);
   H5Tset_size(memory.get(), H5T_VARIABLE);
   H5Tset_cset(memory.get(), H5Tget_cset(data.type.get()));
+  // Many entries may be one and the same long text of the file.
+  hsize_t bytes = 0;
+  done = H5Dvlen_get_buf_size(data.id.get(), memory.get(), data.space.get(), &bytes) >= 0 &&
+         bytes <= k_most_labels * k_longest_label;
+  if (!done) return {};
   done = H5Dread(data.id.get(), memory.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, raw.data()) >= 0;
   std::vector<std::string> texts;
   for (const char* each : raw) texts.emplace_back(each == nullptr ? "" : each);

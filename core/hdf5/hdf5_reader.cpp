@@ -1,5 +1,6 @@
 #include <hdf5.h>
 
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <limits>
@@ -14,6 +15,8 @@ static_assert(sizeof(hid_t) == sizeof(std::int64_t));
 
 /// Most that a compressed dataset may grow when read; deflate cannot exceed 1032.
 constexpr std::size_t k_largest_inflation = 1100;
+/// Most bytes that a compressed dataset may take once it is read.
+constexpr std::size_t k_most_inflated = std::size_t{1} << 30;
 /// Longest text that is read [bytes]; titles and descriptions are far below.
 constexpr std::size_t k_longest_text = 1 << 16;
 
@@ -35,7 +38,7 @@ struct Hdf5Reader::Dataset {
 static std::vector<char> read_whole(const std::string& path) {
   std::error_code fault;
   if (std::filesystem::is_directory(path, fault)) throw FileError(path + ": is a folder, not a file");
-  demand_there(path, "file");
+  demand_file(path);
   std::ifstream in(path, std::ios::binary | std::ios::ate);
   if (!in) throw FileError(path + ": cannot be opened");
   const auto end = static_cast<std::streamoff>(in.tellg());
@@ -112,6 +115,22 @@ Hdf5Reader::Dataset Hdf5Reader::open(const std::string& name) const {
   return dataset;
 }
 
+/// The number of entries in a chunk, for which HDF5 takes memory whole.
+std::size_t Hdf5Reader::chunk_entries(const Dataset& dataset) {
+  constexpr int k_most_rank = 32;
+  std::array<hsize_t, k_most_rank> extent{};
+  const int rank = H5Pget_chunk(dataset.properties.get(), k_most_rank, extent.data());
+  constexpr std::size_t k_too_many = std::numeric_limits<std::size_t>::max();
+  if (rank < 0 || rank > k_most_rank) return k_too_many;
+  std::size_t entries = 1;
+  for (int k = 0; k < rank; ++k) {
+    const hsize_t n = extent[static_cast<std::size_t>(k)];
+    if (n > 0 && entries > k_too_many / n) return k_too_many;
+    entries *= n;
+  }
+  return entries;
+}
+
 /// Refuses extents that the file does not back with data, and data that lie in other files.
 void Hdf5Reader::check_storage(const Dataset& dataset, const std::string& name) const {
   const auto layout = H5Pget_layout(dataset.properties.get());
@@ -124,6 +143,10 @@ void Hdf5Reader::check_storage(const Dataset& dataset, const std::string& name) 
   const std::size_t backed = filtered ? stored * k_largest_inflation : stored;
   if (stored > file_bytes_ || element == 0 || dataset.count > backed / element)
     refuse(name, "claims " + std::to_string(dataset.count) + " entries, the file does not hold as many");
+  if (filtered && dataset.count > k_most_inflated / element)
+    refuse(name, "claims " + std::to_string(dataset.count) + " entries, more than are supported in compressed form");
+  if (layout == H5D_CHUNKED && dataset.count > 0 && chunk_entries(dataset) > backed / element)
+    refuse(name, "has chunks larger than what the file holds of it");
 }
 
 /// Only the plain number types: HDF5 can describe far stranger ones.
