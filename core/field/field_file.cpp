@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
+#include "core/base/json_text.h"
 #include "core/field/field.h"
 #include "core/field/pack/overlaps.h"
 #include "core/field/sizes/floe_property.h"
@@ -24,9 +25,7 @@ class FieldReader {
   explicit FieldReader(const std::filesystem::path& file) : file_(file) {}
 
   FieldResult read() {
-    std::ifstream in(file_);
-    if (!in) throw FileError(file_.string() + ": cannot open the ice field");
-    const json root = json::parse(in, nullptr, false);
+    const json root = json::parse(json_file_text(file_), nullptr, false);
     if (root.is_discarded()) refuse("the file is not JSON, or is cut short");
     if (!root.is_object() || root.value("type", json()) != "FeatureCollection")
       refuse("expected a GeoJSON object of type FeatureCollection");

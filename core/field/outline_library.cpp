@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
+#include "core/base/json_text.h"
 #include "core/field/field.h"
 #include "core/geometry/mass_properties.h"
 #include "core/geometry/orientation.h"
@@ -73,9 +73,7 @@ class LibraryReader {
 }  // namespace
 
 std::vector<std::vector<Vec2>> read_outlines(const std::filesystem::path& file) {
-  std::ifstream in(file);
-  if (!in) throw FileError(file.string() + ": cannot open the outline library");
-  const json root = json::parse(in, nullptr, false);
+  const json root = json::parse(json_file_text(file), nullptr, false);
   LibraryReader reader(file);
   if (root.is_discarded()) reader.refuse("the file is not JSON, or is cut short");
   if (!root.is_object()) return reader.read(root);

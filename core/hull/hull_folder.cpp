@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/base/file_bytes.h"
+#include "core/base/json_text.h"
 #include "core/geometry/mesh_box.h"
 #include "core/hull/hull.h"
 #include "core/hull/hull_parts.h"
@@ -39,7 +40,7 @@ void demand_convex(const geometry::TriangleMesh& mesh, const fs::path& file, con
 void demand_described_parts(const fs::path& description, std::size_t parts) {
   std::error_code ignored;
   if (!fs::exists(description, ignored)) return;
-  const nlohmann::json json = nlohmann::json::parse(file_bytes(description), nullptr, false);
+  const nlohmann::json json = nlohmann::json::parse(json_file_text(description), nullptr, false);
   if (!json.is_object()) throw InputError(description.string() + ": not a JSON object, or cut short");
   if (!json.contains("parts")) return;
   if (json["parts"] != parts)

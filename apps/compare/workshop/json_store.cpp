@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/base/file_bytes.h"
+#include "core/base/json_text.h"
 #include "core/output/file/output_file.h"
 
 namespace nilas::compare {
@@ -18,6 +18,6 @@ void write_json(const std::filesystem::path& file, const Json& json) {
   output::write_whole(file, json_text(json), output::Flush::now);
 }
 
-Json read_json(const std::filesystem::path& file) { return Json::parse(file_bytes(file), nullptr, false); }
+Json read_json(const std::filesystem::path& file) { return Json::parse(json_file_text(file), nullptr, false); }
 
 }  // namespace nilas::compare

@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "apps/nilas/commands/scene_flags.h"
 #include "core/base/error.h"
 #include "core/base/file_bytes.h"
+#include "core/base/json_text.h"
 #include "core/base/log.h"
 #include "core/sim/simulation.h"
 
@@ -46,9 +46,7 @@ OpenWater OpenWater::towed(const scene::Scene& scene, int threads) {
 OpenWater OpenWater::stored(const std::filesystem::path& run) {
   const auto file = run / "summary.json";
   demand_there(run, "run folder");
-  std::ifstream in(file);
-  if (!in) throw FileError("--open-water-run: cannot open " + file.string());
-  const auto summary = nlohmann::json::parse(in, nullptr, false);
+  const auto summary = nlohmann::json::parse(json_file_text(file), nullptr, false);
   const auto mean = nlohmann::json::json_pointer("/tow_force/mean_N");
   if (summary.is_discarded() || !summary.contains(mean))
     throw InputError("--open-water-run: " + file.string() + " holds no tow force; allowed: runs of a towed vessel");

@@ -7,6 +7,7 @@
 #include "apps/nilas/commands/program_identity.h"
 #include "core/base/error.h"
 #include "core/base/file_bytes.h"
+#include "core/base/json_text.h"
 #include "core/output/run/run_folder.h"
 
 namespace nilas::commands {
@@ -16,7 +17,7 @@ namespace fs = std::filesystem;
 /// The text of summary.json of a run that did all its steps, or all that its course allows; empty for other runs.
 static std::string summary_of_done_run(const fs::path& file, long steps) {
   if (!fs::exists(file)) return "";
-  const std::string text = file_bytes(file);
+  const std::string text = json_file_text(file);
   const auto summary = nlohmann::json::parse(text, nullptr, false);
   const bool done = summary.is_object() && summary.value("status", nlohmann::json()) == "done" &&
                     (summary.value("steps", nlohmann::json()) == steps || summary.contains("ended_early"));

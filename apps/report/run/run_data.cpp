@@ -9,6 +9,7 @@
 
 #include "core/base/error.h"
 #include "core/base/file_bytes.h"
+#include "core/base/json_text.h"
 #include "core/output/run/run_folder.h"
 #include "core/scene/read/read_scene.h"
 
@@ -31,7 +32,7 @@ void read_summary(RunData& run) {
                         "loads are computed from the tables instead."});
     return;
   }
-  run.summary = nlohmann::ordered_json::parse(file_bytes(file), nullptr, false);
+  run.summary = nlohmann::ordered_json::parse(json_file_text(file), nullptr, false);
   if (run.summary.is_object()) return;
   run.summary = nullptr;
   run.gaps.push_back(

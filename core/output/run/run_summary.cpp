@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/base/file_bytes.h"
+#include "core/base/json_text.h"
 
 namespace nilas::output {
 
@@ -164,7 +164,8 @@ Json to_json(const RunSummary& summary) {
 
 RunSummary read_run_summary(const std::filesystem::path& run_folder) {
   const std::filesystem::path file = run_folder / "summary.json";
-  return std::filesystem::exists(file) ? run_summary_from(Json::parse(file_bytes(file), nullptr, false)) : RunSummary{};
+  return std::filesystem::exists(file) ? run_summary_from(Json::parse(json_file_text(file), nullptr, false))
+                                       : RunSummary{};
 }
 
 }  // namespace nilas::output

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/base/json_text.h"
 
 namespace nilas::vessel {
 
@@ -58,7 +59,7 @@ std::string line_of(const Measured& state, const Channels& channels) {
 }
 
 std::string obey(const std::string& line, Channels& commands) {
-  const Json answer = Json::parse(line, nullptr, false);
+  const Json answer = is_nested_deeply(line) ? Json() : Json::parse(line, nullptr, false);
   if (!answer.is_object()) return "allowed: a JSON object such as {\"commands\": {}}";
   for (const auto& [key, value] : answer.items())
     if (key != "commands") return "there is no key '" + key + "'; allowed: commands";
