@@ -44,6 +44,9 @@ FieldResult channel_field(const ChannelSpec& spec);
 /// ends. Throws InputError.
 FieldResult grid_field(const GridSpec& spec);
 
+/// Most corners of an outline in a file: each of its sides is held against all others.
+constexpr std::size_t k_most_corners = 10000;
+
 /// Reads and writes a field as a GeoJSON FeatureCollection, in metres. It has a LineString with the property strength
 /// per weak line, and one Polygon without holes per floe, its first point repeated at the end. Properties, where they
 /// differ from the scene's and written to the last bit: thickness_m, density_kg_m3, flexural_strength_Pa,

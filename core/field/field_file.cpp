@@ -96,6 +96,8 @@ class FieldReader {
     std::vector<Vec2> points = this->points(ring);
     constexpr std::size_t k_fewest_points = 4;  // a triangle and its closing point
     if (points.size() < k_fewest_points) refuse(fmt::format("found {} points, allowed 4 or more", points.size()));
+    if (points.size() > k_most_corners)
+      refuse(fmt::format("found {} points, allowed {} or fewer", points.size(), k_most_corners));
     if (points.front() != points.back()) refuse("the ring is not closed: its last point must repeat the first");
     points.pop_back();
     if (!geometry::is_simple(points)) refuse("the outline crosses or touches itself");

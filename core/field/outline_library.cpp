@@ -53,6 +53,8 @@ class LibraryReader {
     }
     if (corners.size() > 1 && corners.front() == corners.back()) corners.pop_back();
     if (corners.size() < 3) refuse(fmt::format("found {} corners, allowed 3 or more", corners.size()));
+    if (corners.size() > k_most_corners)
+      refuse(fmt::format("found {} corners, allowed {} or fewer", corners.size(), k_most_corners));
     if (!geometry::is_simple(corners)) refuse("the outline crosses or touches itself");
     if (geometry::is_clockwise(corners)) std::reverse(corners.begin(), corners.end());
     if (!(geometry::polygon_moments(corners).area > 0)) refuse("the outline has no area");
