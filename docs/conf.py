@@ -39,7 +39,8 @@ READING_ORDER = {
     "theory": ["contact", "dynamics", "vessel", "hull", "water", "ice-field", "fracture", "fracture-crushing",
                "fracture-breaking", "fracture-cutting", "load-error", "report", "load-statistics", "compare"],
     "evidence": ["verification", "validation", "validation-scenes", "validation-symmetry", "validation-breaking",
-                 "validation-contacts", "validation-solvers", "validation-loads", "validation-statistics", "validation-formulas", "reliability-faults", "reliability-scenes", "limits", "limitations"],
+                 "validation-contacts", "validation-solvers", "validation-loads", "validation-statistics", "validation-formulas",
+                 "reliability-faults", "reliability-scenes", "reliability-fuzzing", "limits", "limitations"],
     "develop": ["architecture", "contributing"],
 }
 

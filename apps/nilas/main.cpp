@@ -64,9 +64,6 @@ int guarded(const Body& body) {
   } catch (const nilas::SimulationError& e) {
     std::cerr << "error: " << shown(e.what()) << "\n";
     return nilas::exit_numerics;
-  } catch (const std::bad_alloc&) {
-    std::cerr << "error: the memory that there is does not suffice for this input\n";
-    return nilas::exit_bad_input;
   } catch (const std::exception& e) {
     std::cerr << "internal error, please report it: " << shown(e.what()) << "\n";
     return nilas::exit_numerics;

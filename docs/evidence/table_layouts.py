@@ -53,6 +53,16 @@ LAYOUTS = {
         ("then the same bits", "{mended}"),
         ("bad", "{bad}"),
     ],
+    "fuzzing": [
+        ("target", "`{target}`"),
+        ("reads", "{reads}"),
+        ("inputs", "{inputs}"),
+        ("processor time [s]", "{processor_s}"),
+        ("edges", "{edges}"),
+        ("findings", "{findings}"),
+        ("slowest input [s]", "{slowest_s}"),
+        ("memory [MB]", "{memory_mb}"),
+    ],
     "scenes-to-end": [
         ("scene", "{scene}"),
         ("steps", "{steps}"),
