@@ -5,7 +5,7 @@ usage: hostile.py PROGRAM [--full] [NAME ...]
 
 Every case must end with exit code 2 (wrong input) or 4 (a file that cannot be read), with a message, within its
 seconds of processor time and of waiting, in an address space of 1.5 GB. The quick form, which the tests run, has long
-lines of 4 MB; with --full they are of 1 GB.
+lines of 8 MB; with --full they are of 1 GB.
 """
 import argparse
 import os
@@ -426,7 +426,7 @@ def main():
     program, failed, total = os.path.abspath(options.program), 0, 0.0
     names = options.names or [name for name in CASES if options.full or name not in SLOW]
     for name in names:
-        fault, seconds = fault_of(program, name, 2**30 if options.full else 2**22)
+        fault, seconds = fault_of(program, name, 2**30 if options.full else 2**23)
         total += seconds
         failed += bool(fault)
         print(f"{seconds:8.2f} s  {name}{': ' + fault if fault else ''}", flush=True)
