@@ -40,7 +40,7 @@ READING_ORDER = {
                "fracture-breaking", "fracture-cutting", "load-error", "report", "load-statistics", "compare"],
     "evidence": ["verification", "validation", "validation-scenes", "validation-symmetry", "validation-breaking",
                  "validation-contacts", "validation-solvers", "validation-loads", "validation-statistics", "validation-formulas",
-                 "reliability-faults", "reliability-scenes", "reliability-fuzzing", "limits", "limitations"],
+                 "reliability", "reliability-faults", "reliability-fuzzing", "reliability-scenes", "limits", "limitations"],
     "develop": ["architecture", "contributing"],
 }
 
