@@ -7,6 +7,7 @@ import re
 
 DOCUMENTED = (
     (r"overlap by .* at the start", "theory/ice-field.md", "bodies overlap at the start"),
+    (r"the path ends at .*, and the scene starts at", "reference/scene.md", "path that ends before the start"),
     (r"'reference' does not take \d+ contacts at once", "reference/scene.md",
      "too many contacts for integrator `reference`"),
     (r"the contact solver stopped with status", "reference/scene.md", "`on_failure=\"stop\"`"),

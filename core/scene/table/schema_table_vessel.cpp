@@ -155,7 +155,8 @@ static std::vector<ElementSpec> carriage() {
                        .type = ValueType::path,
                        .required = true,
                        .scaled_file = true,
-                       .doc = "This CSV file has the columns t_s,x_m,y_m,yaw_deg, relative to the start."}}}};
+                       .doc = "This CSV file has the columns t_s,x_m,y_m,yaw_deg: the scene's time, and "
+                              "place and heading relative to the first row."}}}};
 }
 
 static ElementSpec force_balance() {

@@ -98,6 +98,9 @@ vessel::CarriageModel carriage_model(const scene::Scene& scene, const vessel::Ve
                         ? vessel::CarriageMotion::straight(start, yaw, given.speed, given.heading_deg * k_deg,
                                                            given.ramp, scene.time.start, given.ramp_shape)
                         : vessel::CarriageMotion::path(start, yaw, given.path, scene.scale);
+  if (!given.path.empty() && carriage.motion.path_span()[1] <= scene.time.start)
+    throw InputError(fmt::format("{}: the path ends at {:g} s, and the scene starts at {:g} s; t_s is the scene's time",
+                                 given.path, carriage.motion.path_span()[1], scene.time.start));
   carriage.free = given.free;
   carriage.stiffness = given.balance.stiffness;
   carriage.damping = given.balance.damping;

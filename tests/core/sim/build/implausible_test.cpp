@@ -10,6 +10,7 @@
 #include "core/sim/build/build_world.h"
 #include "core/sim/simulation.h"
 #include "core/sim/world/course.h"
+#include "tests/support/refusal.h"
 #include "tests/support/scratch_folder.h"
 
 namespace nilas::sim {
@@ -165,6 +166,23 @@ TEST_F(Implausible, APathThatEndsOrJumps) {
   for (int k = 0; simulation.end_of_course().empty() && k < 1000; ++k) simulation.step();
   EXPECT_NEAR(simulation.time(), 3, 1e-9);
   EXPECT_EQ(simulation.end_of_course(), "the carriage's path ends at 3 s");
+}
+
+TEST_F(Implausible, APathThatHasEndedBeforeTheStartIsRefused) {
+  folder_.write("path.csv", "t_s,x_m,y_m,yaw_deg\n0,0,0,0\n3,2,0,0\n");
+  const std::string scene = "<time step='0.01' start='3' end='4'/><water/><hydro><buoyancy/></hydro>" +
+                            towed("<carriage free='heave'><path file='path.csv'/></carriage>") + k_floe;
+  WarningCounts counts(make_logger("off", ""));
+  test::expect_refusal<InputError>([&] { Simulation(read(scene), 1, counts); },
+                                   {"path.csv", "the path ends at 3 s, and the scene starts at 3 s"});
+}
+
+TEST_F(Implausible, OverlapsAtTheStartAreRefusedWithIntegratorReference) {
+  WarningCounts counts(make_logger("off", ""));
+  const std::string boxes = "<body name='one'/><body name='two'/>";
+  Simulation(read("<contact integrator='moreau'/>" + boxes), 1, counts);
+  test::expect_refusal<InputError>([&] { Simulation(read("<contact integrator='reference'/>" + boxes), 1, counts); },
+                                   {"'one' and 'two' overlap by 1 m", "integrator reference removes no overlap"});
 }
 
 TEST_F(Implausible, ARampAndAStepThatDoNotFitThePeriods) {
