@@ -39,7 +39,7 @@ READING_ORDER = {
     "theory": ["contact", "dynamics", "vessel", "hull", "water", "ice-field", "fracture", "fracture-crushing",
                "fracture-breaking", "fracture-cutting", "load-error", "report", "load-statistics", "compare"],
     "evidence": ["verification", "validation", "validation-scenes", "validation-symmetry", "validation-breaking",
-                 "validation-contacts", "validation-solvers", "validation-loads", "validation-statistics", "validation-formulas",
+                 "validation-contacts", "validation-solvers", "validation-loads", "validation-statistics", "validation-formulas", "validation-results",
                  "reliability", "reliability-faults", "reliability-fuzzing", "reliability-scenes", "limits", "limitations"],
     "develop": ["architecture", "contributing"],
 }

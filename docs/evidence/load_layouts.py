@@ -1,5 +1,18 @@
 """The layouts of the tables of loads, in the form of table_layouts.py."""
 
+# What `nilas validate` found; from and to have the unit of what was simulated.
+VALIDATED = [
+    ("case", "`{case}`"),
+    ("point", "{point}"),
+    ("quantity", "{quantity}"),
+    ("simulated", "{simulated:.3g} ± {interval:.3g} {unit}"),
+    ("runs", "{runs}"),
+    ("reference", "{reference}"),
+    ("from", "{low:.3g}"),
+    ("to", "{high:.3g}"),
+    ("verdict", "{verdict}"),
+]
+
 LAYOUTS = {
     "level-ice-solver": [
         ("solver", "{solver}"),
@@ -195,4 +208,7 @@ LAYOUTS = {
         ("above", "{above_percent} %"),
         ("no level stated", "{refused_percent} %"),
     ],
+    "validate-structures": VALIDATED,
+    "validate-scales": VALIDATED,
+    "validate-presawn": VALIDATED,
 }
