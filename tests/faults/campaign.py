@@ -77,9 +77,9 @@ def try_command(name: str, bench: Bench, store: Path, options: argparse.Namespac
     rows = []
     for kind in options.kinds.split(","):
         row: Counter[str] = Counter()
-        chosen = plans(kind, calls[kind], options.most, random.Random(f"{options.seed} {name} {kind}"))
-        for plan in chosen:
-            if options.at in (None, plan.at) and time.monotonic() < end:
+        chance = random.Random(f"{options.seed} {name} {kind}")
+        for plan in plans(kind, calls[kind], options.most, chance, options.at):
+            if time.monotonic() < end:
                 try_case(bench, command, plan, row)
         rows.append({"command": name, "kind": kind, "calls": calls[kind], **row})
         print(", ".join(f"{column} {rows[-1].get(column, 0)}" for column in COLUMNS), flush=True)
@@ -99,9 +99,10 @@ def try_all(bench: Bench, store: Path, options: argparse.Namespace, end: float) 
 
 
 def try_slice(bench: Bench, work: Path, options: argparse.Namespace, end: float) -> list[dict]:
-    """A fault of each class, two losses of power and two kills of a run: for the tests."""
+    """Some faults at the same calls each time, a loss of power and a kill of a run: for the tests."""
     rows = []
-    ways = ({"most": 1}, {"most": 2, "power": True}, {"kills": 2})
+    kinds = "open,read,write,sync,rename,memory"
+    ways = ({"most": 1, "kinds": kinds, "at": 20}, {"at": 120, "power": True}, {"kills": 1})
     for number, way in enumerate(ways):
         chosen = argparse.Namespace(**(vars(options) | {"of": "run"} | way))
         rows += try_all(bench, work / f"store-{number}", chosen, end)[1]

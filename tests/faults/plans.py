@@ -31,8 +31,10 @@ _LASTING = {"write", "read", "memory", "sync", "open"}
 KINDS = tuple(_ERRORS)
 
 
-def plans(kind: str, calls: int, most: int, chance: random.Random) -> list[Plan]:
-    """Plans for a class of so many calls: all of them, or as many as `most`, drawn evenly."""
+def plans(kind: str, calls: int, most: int, chance: random.Random, only: int | None = None) -> list[Plan]:
+    """Plans for a class of so many calls: all of them, or as many as `most`, drawn evenly; or those of one call."""
+    if only is not None:
+        return [plan for plan in _all(kind, min(only, calls)) if plan.at == only][:most]
     every = list(_all(kind, calls)) if calls * 3 <= 20000 else list(_spread(kind, calls, most, chance))
     return every if len(every) <= most else sorted(chance.sample(every, most), key=_order)
 

@@ -30,12 +30,12 @@ def campaign(
         bench.put_back(command.out, command.before)
         changes = bench.runner.run(bench.words(command.words)).calls["change"]
         chance = random.Random(f"{options.seed} power {name}")
-        places = list(range(1, changes + 1))
+        places = [options.at] if options.at else list(range(1, changes + 1))
         if len(places) > options.most:
             places = sorted(chance.sample(places, options.most))
         counts: dict[str, Counter[str]] = {disk: Counter() for disk in DISKS}
         for at in places:
-            if options.at in (None, at) and time.monotonic() < end:
+            if time.monotonic() < end:
                 _lose(bench, command, at, counts)
         for disk in DISKS:
             rows.append({"command": name, "disk": disk, "changes": changes, **counts[disk]})
