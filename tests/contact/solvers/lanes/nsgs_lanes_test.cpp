@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <numeric>
+
+#include "contact/solvers/shared/sweep_momentum.h"
 #include "tests/support/problems/problem_factory.h"
 
 namespace nilas::solvers {
@@ -13,6 +17,40 @@ struct Swept {
   std::vector<double> impulses, changes;
   int in_lanes = 0;  ///< islands
 };
+
+/// Places of all contacts of an island.
+std::vector<int> all_of(const PgsIsland& island) {
+  std::vector<int> places(static_cast<std::size_t>(island.last - island.first));
+  std::iota(places.begin(), places.end(), island.first);
+  return places;
+}
+
+/// The same number of sweeps with momentum.
+Swept sweep_with_momentum(const contact::ContactProblem& problem, const VecX& guess, bool in_lanes) {
+  const contact::PreparedProblem prepared(problem);
+  PgsRows rows = make_pgs_rows(prepared, guess, RowOrder::coloured, 1);
+  RowResidual residual(problem, prepared.masses(), 1);
+  Swept swept;
+  for (const PgsIsland& island : rows.islands) {
+    std::vector<NsgsContact> blocks = make_nsgs_contacts(rows, island);
+    NsgsTurns turns(rows, island, blocks);
+    const bool turned = in_lanes && turns.exist();
+    SweepMomentum momentum({problem, prepared.masses(), rows, island, residual, 1},
+                           turned ? turns.alone(island) : all_of(island));
+    double most = 0;
+    for (int k = 0; k < 12; ++k) {
+      const double beta = momentum.push();
+      most = std::max(most, beta);
+      turns.set_momentum(beta);
+      swept.changes.push_back(nsgs_sweep(rows, island, blocks, problem.facets, false, 1, turned ? &turns : nullptr));
+    }
+    EXPECT_GT(most, 0.1);
+    if (turned) turns.keep_impulses(rows);
+    swept.in_lanes += turned ? 1 : 0;
+  }
+  for (const PgsContact& contact : rows.contacts) swept.impulses.insert(swept.impulses.end(), contact.r, contact.r + 3);
+  return swept;
+}
 
 Swept sweep_up_and_down(const contact::ContactProblem& problem, const VecX& guess, bool in_lanes) {
   const contact::PreparedProblem prepared(problem);
@@ -59,6 +97,15 @@ TEST(NsgsLanes, GiveTheBitsOfSingleVisits) {
         EXPECT_EQ(lanes.in_lanes, 1);
       }
     }
+}
+
+TEST(NsgsLanes, KeepTheirBitsWithMomentum) {
+  const contact::ContactProblem problem = mixed_heap(7, 0.4);
+  const Swept lanes = sweep_with_momentum(problem, VecX(), true);
+  const Swept single = sweep_with_momentum(problem, VecX(), false);
+  EXPECT_EQ(lanes.impulses, single.impulses);
+  EXPECT_EQ(lanes.changes, single.changes);
+  EXPECT_EQ(lanes.in_lanes, 1);
 }
 
 TEST(NsgsLanes, AreForCoulombsLawAlone) {
