@@ -94,10 +94,17 @@ class Launcher:
             words += ["--checkpoint-every", f"{study.run.checkpoint_every:g}"]
         return words + override_words(self.overrides(run))
 
+    def wait_for_earlier_runs(self) -> None:
+        """Returns once no process writes a run that was begun and has not ended.
+
+        Raises ``StudyError`` where one goes on writing.
+        """
+        for begun in self.plan.study.runs_folder.rglob(BEGUN):
+            wait_until_left(begun.parent)
+
     def start(self, run: Run) -> Child:
         """Starts a run: from its newest checkpoint if it was interrupted, else from nothing."""
         folder = self.plan.folder(run)
-        wait_until_left(folder)
         resumed = self._can_resume(run)
         command = self.command(run)
         if resumed:

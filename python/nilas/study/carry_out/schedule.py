@@ -63,7 +63,11 @@ class Scheduler:
         self._ends_at = ends_at
 
     def carry_out(self) -> Outcome:
-        """Runs until nothing is left, or until Ctrl-C or SIGTERM. Records are then on disk."""
+        """Runs until nothing is left, or until Ctrl-C or SIGTERM. Records are then on disk.
+
+        First it waits for runs of the same folder whose study was killed and that still end.
+        """
+        self.launcher.wait_for_earlier_runs()
         before = signal.pthread_sigmask(signal.SIG_BLOCK, _SIGNALS)
         begun = time.monotonic()
         try:
