@@ -84,6 +84,11 @@ void leave(int) {
   } catch (const std::bad_alloc&) {
     say(k_no_memory);
     ::_exit(nilas::exit_file);
+  } catch (const std::system_error& e) {
+    say("error: ");
+    say(e.what());
+    say("\n");
+    ::_exit(nilas::exit_file);
   } catch (const std::exception& e) {
     say("internal error, please report it: ");
     say(e.what());

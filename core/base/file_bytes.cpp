@@ -75,7 +75,7 @@ void demand_readable(const OpenFile& open, const fs::path& file) {
 void await_bytes(const OpenFile& open, const fs::path& file) {
   constexpr int k_wait = 10000;  // [ms]
   pollfd one{open.descriptor(), POLLIN, 0};
-  if (::poll(&one, 1, k_wait) == 0) throw FileError(file.string() + ": is a pipe into which no program writes");
+  if (::poll(&one, 1, k_wait) == 0) throw FileError(file.string() + ": is a pipe from which nothing came for 10 s");
 }
 
 /// The next bytes; none at the end.

@@ -6,6 +6,7 @@
 namespace nilas::output {
 
 /// Returns when the names in a folder are on the disk. Some file systems refuse to flush folders, which is no fault.
+/// Throws FileError.
 void flush_names(const std::filesystem::path& folder);
 /// The folder of a file; that of a bare name is the current one.
 std::filesystem::path folder_of(const std::filesystem::path& file);
@@ -13,7 +14,7 @@ std::filesystem::path folder_of(const std::filesystem::path& file);
 /// The files of a run that were written since its newest checkpoint, which must not be on the disk before them.
 class UnflushedFiles {
  public:
-  /// `wanted`: the run is to write checkpoints; nothing is noted without.
+  /// `wanted`: the run may write checkpoints, if only where it is stopped; nothing is noted without.
   explicit UnflushedFiles(bool wanted) : wanted_(wanted) {}
   /// Notes a whole file.
   void add(const std::filesystem::path& file) {

@@ -33,7 +33,7 @@ struct RunFolder::Outputs {
         channels(info),
         statistics(info),
         steps(folder / "steps.csv", info, kept_bytes(from, "steps.csv")),
-        problems(folder, scene.output.problems, scene.output.checkpoint_every > 0),
+        problems(folder, scene.output.problems, scene.contact.integrator != Integrator::reference),
         snapshot_every(scene.output.trajectory_every),
         bodies_asked(scene.output.bodies),
         contacts_of_all(scene.output.contacts == StoredContacts::all) {

@@ -34,7 +34,7 @@ Trajectory::Trajectory(const std::filesystem::path& run_folder, const scene::Sce
       has_damage_(scene.fracture && scene.fracture->damage),
       water_level_(scene.water ? std::optional(scene.water->level) : std::nullopt),
       tank_(scene.tank),
-      unflushed_(scene.output.checkpoint_every > 0),
+      unflushed_(scene.contact.integrator != Integrator::reference),
       list_(run_folder / "trajectory.pvd", k_list_tail, keep) {
   if (scene.ice) moving_.push_back({"ice floes", "ice", bodies::BodyKind::floe});
   if (scene.vessel) moving_.push_back({"vessel", "vessel", bodies::BodyKind::vessel});

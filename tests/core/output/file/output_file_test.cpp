@@ -8,6 +8,7 @@
 #include <csignal>
 
 #include "core/base/error.h"
+#include "core/output/file/flush.h"
 #include "tests/core/output/sample_run.h"
 #include "tests/support/file_text.h"
 #include "tests/support/refusal.h"
@@ -140,6 +141,25 @@ TEST(WriteWhole, KeepsTheOldFileWhenTheNewDoesNotFit) {
   }
   EXPECT_EQ(read_text(folder / "a.json"), "old");
   EXPECT_FALSE(std::filesystem::exists(folder / "a.json.part"));
+}
+
+/// Few files are flushed one by one, many with their disk. Those that have gone since are no fault.
+TEST(UnflushedFiles, AreFlushedWhateverTheirNumber) {
+  const ScratchFolder folder;
+  for (const int count : {3, 100}) {
+    UnflushedFiles files(true);
+    for (int k = 0; k < count; ++k) files.add(folder.write("file-" + std::to_string(k), "text"));
+    std::filesystem::remove(folder / "file-1");
+    EXPECT_NO_THROW(files.flush());
+  }
+  UnflushedFiles gone(true);
+  gone.add(folder / "no folder" / "file");
+  EXPECT_NO_THROW(gone.flush());
+}
+
+TEST(UnflushedFiles, AFolderThatCannotBeFlushedIsNamed) {
+  const ScratchFolder folder;
+  test::expect_refusal<FileError>([&] { flush_names(folder / "none"); }, {"none: cannot write"});
 }
 
 }  // namespace output_file_test
