@@ -6,6 +6,7 @@ usage: study_inputs.py SECONDS FOLDER [SEED]
 The reader must return a study or raise StudyError. Inputs for which it does otherwise, or that take more than five
 seconds of processor time, are written to FOLDER. The changes follow from the seed alone.
 """
+import hashlib
 import pathlib
 import random
 import resource
@@ -102,7 +103,7 @@ def main():
             took = time.process_time() - begin
             slowest = max(slowest, took)
             if fault or took > SLOWEST:
-                kept = found / f"study-{abs(hash(fault)) % 10**8}"
+                kept = found / f"study-{hashlib.sha256(fault.encode()).hexdigest()[:8]}"
                 if not kept.exists():
                     kept.write_text(text)
                     print(f"{fault}\nTest unit written to {kept}", file=sys.stderr, flush=True)
