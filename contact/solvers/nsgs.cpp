@@ -25,7 +25,8 @@ class NsgsBodies : public RowSweeps {
 
   double sweep(bool backward) {
     if (momentum_) turns_.set_momentum(momentum_->push());
-    return nsgs_sweep(rows_, island_, blocks_, facets_, backward, threads_, turns_.exist() ? &turns_ : nullptr);
+    if (turns_.exist()) return turns_.sweep(rows_, island_, blocks_, backward, threads_);
+    return nsgs_sweep(rows_, island_, blocks_, facets_, backward, threads_);
   }
   double law_map() {
     turns_.keep_impulses(rows_);

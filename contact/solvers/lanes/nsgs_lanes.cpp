@@ -320,6 +320,23 @@ double NsgsTurns::visit_colour(PgsRows& rows, const PgsIsland& island, std::vect
   return largest;
 }
 
+double NsgsTurns::sweep(PgsRows& rows, const PgsIsland& island, std::vector<NsgsContact>& blocks, bool backward,
+                        int threads) {
+  double largest = 0;
+  const auto keep = [&](double change) {
+    if (!(change <= largest)) largest = change;
+  };
+  const auto in_turn = [&] {
+    keep(visit_coulomb_run(rows, island, blocks, island.runs.back(), island.last, backward));
+  };
+  const std::size_t colours = colours_.size() - 1;
+  if (backward) in_turn();
+  for (std::size_t k = 0; k < colours; ++k)
+    keep(visit_colour(rows, island, blocks, backward ? colours - 1 - k : k, backward, threads));
+  if (!backward) in_turn();
+  return std::sqrt(largest);
+}
+
 void NsgsTurns::keep_impulses(PgsRows& rows) const {
   for (const NsgsLanes& lanes : lanes_)
     for (int lane = 0; lane < lanes.count; ++lane)

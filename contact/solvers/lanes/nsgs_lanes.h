@@ -33,9 +33,8 @@ class NsgsTurns {
   NsgsTurns(const PgsRows& rows, const PgsIsland& island, const std::vector<NsgsContact>& blocks);
 
   bool exist() const { return !lanes_.empty(); }
-  /// Visits the contacts of one colour, or of its runs in reverse. Returns the largest (d |dr|)^2 [m^2/s^2].
-  double visit_colour(PgsRows& rows, const PgsIsland& island, std::vector<NsgsContact>& blocks, std::size_t colour,
-                      bool backward, int threads);
+  /// The same as nsgs_sweep, with the impulses of the lanes kept here.
+  double sweep(PgsRows& rows, const PgsIsland& island, std::vector<NsgsContact>& blocks, bool backward, int threads);
   /// Writes the impulses of the lanes to the contacts.
   void keep_impulses(PgsRows& rows) const;
   /// The next sweep moves each impulse by beta times its change since the last sweep began, before it visits it. The
@@ -54,6 +53,8 @@ class NsgsTurns {
   };
   void add_piece(const PgsRows& rows, const PgsIsland& island, const std::vector<NsgsContact>& blocks,
                  const std::vector<Run>& runs);
+  double visit_colour(PgsRows& rows, const PgsIsland& island, std::vector<NsgsContact>& blocks, std::size_t colour,
+                      bool backward, int threads);
   double visit_piece(PgsRows& rows, const PgsIsland& island, std::vector<NsgsContact>& blocks, std::size_t piece,
                      bool backward);
 

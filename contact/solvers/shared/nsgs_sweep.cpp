@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/solvers/lanes/nsgs_lanes.h"
 #include "contact/solvers/shared/contact_sides.h"
 #include "core/base/parallel.h"
 
@@ -110,7 +109,7 @@ double visit_colour(PgsRows& rows, const PgsIsland& island, std::vector<NsgsCont
 
 template <Path path>
 double sweep(PgsRows& rows, const PgsIsland& island, std::vector<NsgsContact>& blocks, int facets, bool backward,
-             int threads, NsgsTurns* turns) {
+             int threads) {
   const int first_in_turn = island.runs.empty() ? island.first : island.runs.back();
   const std::size_t colours = island.colours.empty() ? 0 : island.colours.size() - 1;
   double largest = 0;
@@ -121,11 +120,8 @@ double sweep(PgsRows& rows, const PgsIsland& island, std::vector<NsgsContact>& b
     keep(visit_in_turn<path>(rows, blocks, island.first, first_in_turn, island.last, facets, backward));
   };
   if (backward) in_turn();
-  for (std::size_t k = 0; k < colours; ++k) {
-    const std::size_t colour = backward ? colours - 1 - k : k;
-    keep(turns != nullptr ? turns->visit_colour(rows, island, blocks, colour, backward, threads)
-                          : visit_colour<path>(rows, island, blocks, colour, facets, backward, threads));
-  }
+  for (std::size_t k = 0; k < colours; ++k)
+    keep(visit_colour<path>(rows, island, blocks, backward ? colours - 1 - k : k, facets, backward, threads));
   if (!backward) in_turn();
   return std::sqrt(largest);
 }
@@ -156,10 +152,10 @@ std::vector<NsgsContact> make_nsgs_contacts(const PgsRows& rows, const PgsIsland
 }
 
 double nsgs_sweep(PgsRows& rows, const PgsIsland& island, std::vector<NsgsContact>& blocks, int facets, bool backward,
-                  int threads, NsgsTurns* turns) {
-  if (rows.law == Law::coulomb) return sweep<Path::coulomb>(rows, island, blocks, facets, backward, threads, turns);
-  if (rows.law == Law::ccp) return sweep<Path::ccp>(rows, island, blocks, facets, backward, threads, nullptr);
-  return sweep<Path::other>(rows, island, blocks, facets, backward, threads, nullptr);
+                  int threads) {
+  if (rows.law == Law::coulomb) return sweep<Path::coulomb>(rows, island, blocks, facets, backward, threads);
+  if (rows.law == Law::ccp) return sweep<Path::ccp>(rows, island, blocks, facets, backward, threads);
+  return sweep<Path::other>(rows, island, blocks, facets, backward, threads);
 }
 
 double visit_coulomb_run(PgsRows& rows, const PgsIsland& island, std::vector<NsgsContact>& blocks, int first, int last,

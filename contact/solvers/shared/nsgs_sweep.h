@@ -15,12 +15,10 @@ struct NsgsContact {
 /// Returns one entry per contact, in the order of the island's contacts.
 std::vector<NsgsContact> make_nsgs_contacts(const PgsRows& rows, const PgsIsland& island);
 
-class NsgsTurns;
-
-/// Visits the island's contacts in order (or backwards), those of one colour with `threads` at once, and four together
-/// where `turns` are given, in which their impulses stand then. Returns the largest d |dr| [m/s].
+/// Visits the island's contacts in order (or backwards), those of one colour with `threads` at once. Returns the
+/// largest d |dr| [m/s].
 double nsgs_sweep(PgsRows& rows, const PgsIsland& island, std::vector<NsgsContact>& blocks, int facets, bool backward,
-                  int threads, NsgsTurns* turns = nullptr);
+                  int threads);
 
 /// Visits contacts [first, last) with Coulomb's law in turn, or backwards. Returns the largest (d |dr|)^2 [m^2/s^2].
 double visit_coulomb_run(PgsRows& rows, const PgsIsland& island, std::vector<NsgsContact>& blocks, int first, int last,

@@ -42,7 +42,8 @@ Swept sweep_with_momentum(const contact::ContactProblem& problem, const VecX& gu
       const double beta = momentum.push();
       most = std::max(most, beta);
       turns.set_momentum(beta);
-      swept.changes.push_back(nsgs_sweep(rows, island, blocks, problem.facets, false, 1, turned ? &turns : nullptr));
+      swept.changes.push_back(turned ? turns.sweep(rows, island, blocks, false, 1)
+                                     : nsgs_sweep(rows, island, blocks, problem.facets, false, 1));
     }
     EXPECT_GT(most, 0.1);
     if (turned) turns.keep_impulses(rows);
@@ -61,8 +62,8 @@ Swept sweep_up_and_down(const contact::ContactProblem& problem, const VecX& gues
     NsgsTurns turns(rows, island, blocks);
     const bool turned = in_lanes && turns.exist();
     for (const bool backward : {false, true, false, true, false, true}) {
-      swept.changes.push_back(
-          nsgs_sweep(rows, island, blocks, problem.facets, backward, turned ? 2 : 1, turned ? &turns : nullptr));
+      swept.changes.push_back(turned ? turns.sweep(rows, island, blocks, backward, 2)
+                                     : nsgs_sweep(rows, island, blocks, problem.facets, backward, 1));
     }
     if (turned) turns.keep_impulses(rows);
     swept.in_lanes += turned ? 1 : 0;
