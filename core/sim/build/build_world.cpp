@@ -136,12 +136,11 @@ void refuse_overlaps(const scene::Scene& scene, const WorldParts& parts) {
       if (const auto* packed = std::get_if<scene::PackedFieldScene>(&field.form)) tolerate(*packed);
       if (const auto* channel = std::get_if<scene::ChannelFieldScene>(&field.form)) tolerate(channel->ice);
     }
-  const bool judges_all = scene.contact.integrator == Integrator::reference;
   detect::ContactDetector detector;
   const auto joined = [&](int a, int b) { return parts.are_joined(a, b); };
   for (const auto& c : detector.detect(bodies, 0, joined)) {
-    const bool judged = judges_all || std::any_of(k_judged.begin(), k_judged.end(),
-                                                  [&](bodies::BodyKind k) { return kind(c.a) == k || kind(c.b) == k; });
+    const bool judged = std::any_of(k_judged.begin(), k_judged.end(),
+                                    [&](bodies::BodyKind k) { return kind(c.a) == k || kind(c.b) == k; });
     if (!judged) continue;
     const auto reach = [&](int b) { return bodies.shape[b]->bounding_radius; };
     const double allowed = tolerance * std::min(reach(c.a), reach(c.b));
@@ -149,9 +148,8 @@ void refuse_overlaps(const scene::Scene& scene, const WorldParts& parts) {
     const auto& names = bodies.name;
     throw InputError(fmt::format(
         "{}: '{}' and '{}' overlap by {:g} m at the start, along the shortest way apart; allowed is {:.3g} m, "
-        "{:g} times the smaller radius (the largest overlap_tolerance of the scene's fields){}",
-        scene.file.string(), names[c.a], names[c.b], -c.gap, allowed, tolerance,
-        judges_all ? "; integrator reference removes no overlap" : ""));
+        "{:g} times the smaller radius (the largest overlap_tolerance of the scene's fields)",
+        scene.file.string(), names[c.a], names[c.b], -c.gap, allowed, tolerance));
   }
 }
 

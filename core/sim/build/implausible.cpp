@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/detect/detector.h"
 #include "core/scene/time_steps.h"
 #include "core/sim/build/natural_periods.h"
 #include "core/sim/build/vessel_doubts.h"
@@ -56,6 +57,7 @@ class Doubts {
     towing();
     periods();
     structures();
+    overlaps();
     hull();
   }
 
@@ -238,6 +240,22 @@ class Doubts {
     for (const scene::BodyScene& body : scene_.bodies)
       if (body.fixed && body.kind() != SolidShapeKind::plane)
         doubt("body", fmt::format("integrator reference writes no loads on the fixed body '{}'", body.name));
+  }
+
+  /// What integrator reference does not push apart.
+  void overlaps() {
+    if (scene_.contact.integrator != Integrator::reference) return;
+    constexpr double k_slight = 1e-3;  // share of the smaller radius
+    const bodies::Bodies& bodies = parts_.bodies;
+    detect::ContactDetector detector;
+    for (const auto& c : detector.detect(bodies, 0, [&](int a, int b) { return parts_.are_joined(a, b); })) {
+      const double smaller = std::min(bodies.shape[c.a]->bounding_radius, bodies.shape[c.b]->bounding_radius);
+      if (-c.gap <= k_slight * smaller) continue;
+      doubt("contact", fmt::format("'{}' and '{}' overlap by {:g} m at the start; integrator reference removes no "
+                                   "overlap, and its energy ledger does not close",
+                                   bodies.name[c.a], bodies.name[c.b], -c.gap));
+      return;
+    }
   }
 
   const scene::Scene& scene_;

@@ -86,7 +86,7 @@ void build_ice(const scene::Scene& scene, int threads, WorldParts& parts, Warnin
 void build_structures(const scene::Scene& scene, WorldParts& parts);
 
 /// Throws InputError naming the pair when two bodies, one of them a floe or the vessel, overlap at the start by more
-/// than the scene tolerates. With integrator reference it judges all pairs.
+/// than the scene tolerates.
 void refuse_overlaps(const scene::Scene& scene, const WorldParts& parts);
 
 }  // namespace nilas::sim
