@@ -8,7 +8,7 @@
 namespace nilas::scene {
 
 static void check_time(const SceneElement& time, std::vector<Fault>& faults) {
-  constexpr double k_most_steps = 1e12;  // centuries of computing; steps are counted by integers
+  constexpr double k_most_steps = 1e15;  // more than anyone can compute; steps are counted by integers
   const auto start = number_of(time, "start"), end = number_of(time, "end"), step = number_of(time, "step");
   if (start && end && step && (*end - *start) / *step > k_most_steps)
     faults.push_back(fault_of(time, "step",
