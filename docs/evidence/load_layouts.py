@@ -1,15 +1,13 @@
 """The layouts of the tables of loads, in the form of table_layouts.py."""
 
-# What `nilas validate` found; from and to have the unit of what was simulated.
+# What `nilas validate` found. The value of the reference has the unit of what was simulated.
 VALIDATED = [
-    ("case", "`{case}`"),
-    ("point", "{point}"),
+    ("case and point", "`{case}`, {point}"),
     ("quantity", "{quantity}"),
-    ("simulated", "{simulated:.3g} ± {interval:.3g} {unit}"),
+    ("simulated", "{simulated:.3g} ± {interval:.2g} {unit}"),
     ("runs", "{runs}"),
     ("reference", "{reference}"),
-    ("from", "{low:.3g}"),
-    ("to", "{high:.3g}"),
+    ("its value", "{range}"),
     ("verdict", "{verdict}"),
 ]
 

@@ -19,7 +19,17 @@ GROUPS = {
     "validate-pack": ["pack-slender", "pack-blunt", "pack-full"],
     "validate-level": ["level-ice"],
 }
-COLUMNS = ["case", "point", "quantity", "simulated", "interval", "unit", "runs", "reference", "low", "high", "ratio", "verdict"]
+COLUMNS = ["case", "point", "quantity", "simulated", "interval", "unit", "runs", "reference", "range", "ratio", "verdict"]
+# Names that are too long for a column.
+SHORT = {
+    "the least of Driving force of a current and Compressive strength over the whole face": "driving force or strength",
+    "Compressive strength over the whole face": "strength times face",
+    "Driving force of a current": "driving force",
+    "Pressure that falls with the area": "law of the scene",
+    "ISO 19906, crushing on a vertical face": "ISO 19906",
+    "Croasdale without rubble to Croasdale": "Croasdale, bare to full",
+    "outside by more than its error": "outside",
+}
 ROUNDING = 1e-12
 UNITS = ((1e6, "MN"), (1e4, "kN"))
 
@@ -40,14 +50,24 @@ def no_rounding(number):
     return number if abs(number) > ROUNDING else 0
 
 
+def short(text):
+    bound = "at most " if text.startswith("at most ") else ""
+    rest = text.removeprefix(bound)
+    return bound + SHORT.get(rest, rest)
+
+
 def shown(row):
     """The row of data/ for a row of validation.csv."""
     scale, unit = scale_of(row)
-    number = lambda name: f"{no_rounding(float(row[name])) / scale:.6g}" if row[name] else ""
+
+    def number(name, digits=6):
+        return f"{no_rounding(float(row[name])) / scale:.{digits}g}" if row[name] else ""
+
+    ends = [end for end in (number("reference_low", 3), number("reference_high", 3)) if end]
     return {
         "case": row["case"], "point": row["point"], "quantity": row["quantity"], "unit": unit, "runs": row["runs"],
-        "simulated": number("simulated"), "interval": number("interval_95"), "reference": row["reference"],
-        "low": number("reference_low"), "high": number("reference_high"), "ratio": row["ratio"], "verdict": row["verdict"],
+        "simulated": number("simulated"), "interval": number("interval_95"), "reference": short(row["reference"]),
+        "range": " to ".join(dict.fromkeys(ends)), "ratio": row["ratio"], "verdict": short(row["verdict"]),
     }  # fmt: skip
 
 
