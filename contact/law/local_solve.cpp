@@ -159,7 +159,7 @@ Vec3 square_answer(const ContactBlock& block, const Vec3& b, double normal) {
 class PolygonAnswer {
  public:
   PolygonAnswer(const ContactBlock& block, const Vec3& b, double normal, int facets)
-      : block_(block), normal_(normal), facets_(facets), radius_(block.mu * normal) {
+      : normal_(normal), facets_(facets), radius_(block.mu * normal) {
     s_ = {b[1] + block.tn[0] * normal, b[2] + block.tn[1] * normal};
     matrix_ << block.tt[0] + block.x_min, block.tt[1], block.tt[2], block.tt[3] + block.x_min;
   }
@@ -203,7 +203,6 @@ class PolygonAnswer {
     best_ = t;
   }
 
-  const ContactBlock& block_;
   double normal_;
   int facets_;
   double radius_;
