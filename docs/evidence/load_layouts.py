@@ -66,6 +66,15 @@ LAYOUTS = {
         ("deviation [kN]", "{deviation_kN}"),
         ("peak [kN]", "{peak_kN}"),
     ],
+    "cone-terms": [
+        ("point", "{point}"),
+        ("change", "{change}"),
+        ("runs", "{runs}"),
+        ("mean load [kN]", "{mean_kN:.0f} ± {mean_error_kN:.0f}"),
+        ("99th percentile [kN]", "{p99_kN:.0f} ± {p99_error_kN:.0f}"),
+        ("filtered peak [kN]", "{peak_kN:.0f} ± {peak_error_kN:.0f}"),
+        ("Croasdale, breaking alone [kN]", "{breaking_kN}"),
+    ],
     "level-ice-terms": [
         ("term", "{term}"),
         ("change", "{change}"),
