@@ -76,6 +76,24 @@ void part_heights(const Part& part, const Mat3& R, const Vec3& turn, const Vec3&
   }
 }
 
+/// Fills the heights along n of a guest's vertices as the host sees them, n being fixed in the host. Rates are exact.
+/// With V the guest's way less the host's, d their distance and w their turns, a vertex r of the guest accelerates by
+/// (w_g - w_h) x (w_g x r) - w_h x ((w_g - w_h) x r) + w_h x (w_h x d - 2 V), of which `bend` bounds half along n.
+void heights_from_host(const Part& guest, const Mat3& R, const BodyMotion& of_guest, const BodyMotion& of_host,
+                       const Vec3& from_host, const Vec3& n, double rest, Heights& out) {
+  const auto& x = guest.facets->vertices;
+  const auto along = [&](const Vec3& g) -> Eigen::ArrayXd {
+    const Vec3 d = R.transpose() * g;
+    return x.col(0) * d.x() + x.col(1) * d.y() + x.col(2) * d.z();
+  };
+  const Vec3 way = of_guest.way - of_host.way, spin = of_guest.turn - of_host.turn;
+  const double tilt = n.cross(of_host.turn).norm();
+  out.h = along(n);
+  out.rate = along(n.cross(spin)) + n.dot(way - of_host.turn.cross(from_host));
+  out.bend = 0.5 * spin.norm() * (of_guest.turn.norm() + tilt) * x.square().rowwise().sum().sqrt() +
+             0.5 * tilt * ((of_host.turn.cross(from_host) - 2 * way).norm() + of_host.turn.norm() * way.norm() * rest);
+}
+
 class Advance {
  public:
   Advance(const Part& a, const BodyMotion& motion_a, const Part& b, const BodyMotion& motion_b, FclShapes& fcl,
@@ -152,8 +170,7 @@ class Advance {
   /// Converts a direction from host to guest into one from A to B, in A's frame. sign -1: B is the host.
   Vec3 in_a(const Vec3& n, double sign) const { return sign > 0 ? n : Vec3(-(b_in_a_.R * n)); }
 
-  /// Returns a share of the step, at most `rest`, within which the parts cannot touch. The bound on the separation is
-  /// concave in time. A chord of it lies below it, so the root of the chord is safe. Halving `rest` shortens the chord.
+  /// Returns a share of the step, at most `rest`, within which the parts cannot touch.
   double safe_time(const Axis& axis, double rest) {
     const Vec3 n = R_a_ * axis.n;
     const bool turning_plane = (a_.kind == PartKind::plane && !motion_a_.turn.isZero(0)) ||
@@ -163,13 +180,38 @@ class Advance {
     part_heights(b_, R_b_, motion_b_.turn, -n, below_b_);
     const double approach = n.dot(motion_b_.way - motion_a_.way);
     const double start = -above_a_.largest(0) - below_b_.largest(0);
-    const auto left = [&](double t) {
-      return axis.s + depth_ + t * approach - (above_a_.largest(t) + below_b_.largest(t) + start);
-    };
+    const double gap = axis.s + depth_;
+    double safe = longest_apart(
+        [&](double t) { return gap + t * approach - (above_a_.largest(t) + below_b_.largest(t) + start); }, gap, rest);
+    if (!a_.facets || !b_.facets) return safe;
+    // Parts that turn together and stay close are soon past the bound above, since n does not turn with them.
+    const auto turns = [](const BodyMotion& motion) { return !motion.turn.isZero(0); };
+    if (safe < rest && axis.kind != AxisKind::face_b && turns(motion_a_))
+      safe = std::max(safe, safe_from_host(true, n, gap, rest));
+    if (safe < rest && axis.kind != AxisKind::face_a && turns(motion_b_))
+      safe = std::max(safe, safe_from_host(false, n, gap, rest));
+    return safe;
+  }
+
+  /// The same with an axis that turns with A, or with B.
+  double safe_from_host(bool host_is_a, const Vec3& n, double gap, double rest) {
+    if (host_is_a)
+      heights_from_host(b_, R_b_, motion_b_, motion_a_, between_, -n, rest, below_b_);
+    else
+      heights_from_host(a_, R_a_, motion_a_, motion_b_, -between_, n, rest, below_b_);
+    const double start = below_b_.largest(0);
+    return longest_apart([&](double t) { return gap - (below_b_.largest(t) - start); }, gap, rest);
+  }
+
+  /// Returns a share of the step, at most `rest`, until which `left`, a bound on the separation, is not used up. The
+  /// bound is concave in time. A chord of it lies below it, so the root of the chord is safe. Halving `rest` shortens
+  /// the chord.
+  template <class Left>
+  double longest_apart(const Left& left, double gap, double rest) const {
     double high_left = left(rest);
     if (high_left > 0) return rest;
-    const double goal = std::max(k_left * (axis.s + depth_), 0.5 * k_touching * tolerance_);
-    double low = 0, low_left = axis.s + depth_, high = rest;
+    const double goal = std::max(k_left * gap, 0.5 * k_touching * tolerance_);
+    double low = 0, low_left = gap, high = rest;
     for (int cut = 0; cut < k_most_cuts && low_left > 2 * goal; ++cut) {
       const auto try_at = [&](double t) {
         const double value = left(t);

@@ -214,6 +214,7 @@ LAYOUTS = {
         ("missed", "{missed}"),
         ("largest error of the time [steps]", "{time_error:.1e}"),
         ("false hits", "{false_hits}"),
+        ("advances per hit", "{advances}"),
         ("us per hit / miss", "{hit_us} / {miss_us}"),
         ("missed by FCL", "{fcl_missed_percent} %"),
     ],
