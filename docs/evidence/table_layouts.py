@@ -218,6 +218,13 @@ LAYOUTS = {
         ("us per hit / miss", "{hit_us} / {miss_us}"),
         ("missed by FCL", "{fcl_missed_percent} %"),
     ],
+    "crushing-steps": [
+        ("axes", "{axes}"),
+        ("detection, median and 95th percentile [ms]", "{detection_ms}, {detection_p95_ms}"),
+        ("solver [ms]", "{solver_ms}, {solver_p95_ms}"),
+        ("step [ms]", "{step_ms}, {step_p95_ms}"),
+        ("steps above tolerance", "{short} of {steps}"),
+    ],
     "packing": [
         ("floes", "{floes}"),
         ("polygons to 95 % [s]", "{polygons_s}"),
