@@ -29,8 +29,9 @@ void wait_while(const std::atomic<int>& number, int value) {
   number.wait(value, std::memory_order_acquire);
 }
 
-/// Whether this thread does shared work. It is aligned as the sections that follow it: mold 1.10 lets the part that becomes
-/// read-only begin here, and without that the part may begin on a page that is not mapped, so that no program starts.
+/// Whether this thread does shared work. It is aligned as the sections that follow it: mold 1.10 lets the part that
+/// becomes read-only begin here, and without that the part may begin on a page that is not mapped, so that no program
+/// starts.
 alignas(alignof(std::max_align_t)) thread_local bool is_sharing = false;
 
 class Helpers {
