@@ -66,6 +66,13 @@ LAYOUTS = {
         ("deviation [kN]", "{deviation_kN}"),
         ("peak [kN]", "{peak_kN}"),
     ],
+    "presawn-terms": [
+        ("speed [m/s]", "{speed_m_s}"),
+        ("friction of hull and ice", "{friction}"),
+        ("mean load [N]", "{load_N} ± {interval_N}"),
+        ("without drag [N]", "{without_drag_N}"),
+        ("Lindqvist, submersion [N]", "{lindqvist_N}"),
+    ],
     "cone-terms": [
         ("point", "{point}"),
         ("change", "{change}"),
