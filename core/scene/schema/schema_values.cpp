@@ -108,7 +108,7 @@ static std::optional<std::string> words_problem(const AttributeSpec& attribute, 
 static bool is_name(const std::string& value) {
   const std::string name = trimmed(value);
   const auto forbidden = [](char c) {
-    return std::string_view(",;/\\\"'<>").find(c) != std::string_view::npos || (c >= 0 && c < ' ');
+    return std::string_view(",;/\\\"'<>").find(c) != std::string_view::npos || static_cast<unsigned char>(c) < ' ';
   };
   return !name.empty() && name != "." && name != ".." && std::none_of(name.begin(), name.end(), forbidden);
 }
