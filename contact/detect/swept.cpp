@@ -5,7 +5,9 @@
 #include <limits>
 
 #include "contact/detect/search/cylinder_axis.h"
+#include "contact/detect/surface/face_axes.h"
 #include "contact/detect/surface/nearest_point.h"
+#include "core/base/order_free_sum.h"
 
 namespace nilas::detect {
 
@@ -141,14 +143,17 @@ class Advance {
     if (b_.kind == PartKind::sphere) return of_sphere(a_, b_, b_in_a_, 1);
     if (a_.kind == PartKind::sphere) return of_sphere(b_, a_, b_in_a_.inverse(), -1);
     const PairView pair = view_pair(a_, b_, b_in_a_, k_near * size_);
+    if (a_.facets && b_.facets) {
+      const Axis face = best_face_axis(pair, std::numeric_limits<double>::infinity(), room_.rivals);
+      return face.s > k_near * size_ ? face : find_axis(pair, {}, fcl_, false, room_, counts_);
+    }
     if (const std::optional<Vec3> n = fcl_.direction(pair, true)) {
       Axis asked;
       asked.n = *n;
       asked.s = separation(pair, asked.n);
       if (asked.s > k_near * size_) return asked;
     }
-    return a_.facets && b_.facets ? find_axis(pair, {}, fcl_, false, room_, counts_)
-                                  : find_cylinder_axis(pair, {}, fcl_, false, room_, counts_);
+    return find_cylinder_axis(pair, {}, fcl_, false, room_, counts_);
   }
 
   Axis of_plane(const RelativePose& guest_in_host, const Part& guest, double sign) const {
@@ -244,23 +249,24 @@ class Advance {
     const PairView pair = view_pair(a_, b_, b_in_a_, axis.s + k_touching * tolerance_);
     face_each_other(pair, axis, room_.facing);
     select_points(pair, axis, {}, room_.facing);
-    Vec3 sum = Vec3::Zero();
+    OrderFreeVectorSum sum;
     for (const OverlayPoint& p : room_.facing.points)
-      sum += p.u * room_.facing.plane.t1 + p.v * room_.facing.plane.t2 + p.height_a * room_.facing.plane.n;
-    return sum / static_cast<double>(room_.facing.points.size());
+      sum.add(p.u * room_.facing.plane.t1 + p.v * room_.facing.plane.t2 + p.height_a * room_.facing.plane.n);
+    return sum.value() / static_cast<double>(room_.facing.points.size());
   }
 
   /// Returns the middle of the points that are highest along n, in the part's frame.
   Vec3 supporting_point(const Part& part, const Vec3& n) {
-    Vec3 sum = Vec3::Zero();
     if (!part.facets) {
+      Vec3 sum = Vec3::Zero();
       const CylinderSupport support = cylinder_support(part, n, tolerance_);
       for (int k = 0; k < support.count; ++k) sum += support.points[k];
       return sum / support.count;
     }
     support_vertices(*part.facets, n, tolerance_, room_.vertices);
-    for (const int v : room_.vertices) sum += part.facets->polytope->vertices[v];
-    return sum / static_cast<double>(room_.vertices.size());
+    OrderFreeVectorSum of_vertices;
+    for (const int v : room_.vertices) of_vertices.add(part.facets->polytope->vertices[v]);
+    return of_vertices.value() / static_cast<double>(room_.vertices.size());
   }
 
   const Part& a_;

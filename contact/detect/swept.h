@@ -37,11 +37,11 @@ struct SoughtOverlap {
 
 /// Finds the first contact by conservative advancement. Along an axis that separates the parts, the positions,
 /// velocities and accelerations of their vertices bound the time before which they cannot touch. The axis stays in G,
-/// or turns with one of two polytopes; the longest time counts. At that time the next axis is sought. FCL gives the
-/// axis while the parts are well apart; the separation along it is computed here. Near each other, or where FCL fails,
-/// the pair's own axis search gives it. So no answer of the library can lose a contact. A contact is a distance below
-/// four times the pair's tolerance. A plane must not turn, or it is never hit. `overlap`: an overlap is sought in place
-/// of a contact.
+/// or turns with one of two polytopes; the longest time counts. At that time the next axis is sought. Between polytopes
+/// it comes from faces and edges, so that the time of a mirror image is the same to the last bit. For cylinders FCL
+/// gives it while the parts are well apart, and else the pair's own search. The separation along it is computed here,
+/// so no answer of the library can lose a contact. A contact is a distance below four times the pair's tolerance. A
+/// plane must not turn, or it is never hit. `overlap`: an overlap is sought in place of a contact.
 TimeOfImpact time_of_impact(const Part& a, const BodyMotion& motion_a, const Part& b, const BodyMotion& motion_b,
                             FclShapes& fcl, AxisSearchRoom& room, const SoughtOverlap& overlap = {});
 

@@ -39,18 +39,22 @@ NearestPoint on_cylinder(const Part& part, const Vec3& x) {
   return {x - beyond_cap * axial, axial, beyond_cap, k_cap};
 }
 
-/// Returns the nearest point of an edge, with the feature: the edge or one of its ends.
+/// Returns the nearest point of an edge, with the feature: the edge or one of its ends. From the middle the rounding is
+/// the same whichever end comes first, as a mirrored part needs it.
 NearestPoint on_edge(const FacetedGeometry& facets, int e, const Vec3& x) {
   const PartEdge& edge = facets.edges[e];
-  const Vec3 start = facets.vertex(edge.v0), along = facets.along(edge);
-  const double t = std::clamp(along.dot(x - start) / along.squaredNorm(), 0.0, 1.0);
+  const Vec3 middle = 0.5 * (facets.vertex(edge.v0) + facets.vertex(edge.v1)), half = 0.5 * facets.along(edge);
+  const double t = std::clamp(half.dot(x - middle) / half.squaredNorm(), -1.0, 1.0);
   NearestPoint nearest;
-  nearest.point = start + t * along;
-  nearest.distance = (x - nearest.point).norm();
-  if (t > 0 && t < 1)
+  if (t > -1 && t < 1) {
+    nearest.point = middle + t * half;
     nearest.feature = {FeatureKind::edge, e, -1};
-  else
-    nearest.feature = {FeatureKind::vertex_a, t > 0 ? edge.v1 : edge.v0, -1};
+  } else {
+    const int end = t > 0 ? edge.v1 : edge.v0;
+    nearest.point = facets.vertex(end);
+    nearest.feature = {FeatureKind::vertex_a, end, -1};
+  }
+  nearest.distance = (x - nearest.point).norm();
   return nearest;
 }
 

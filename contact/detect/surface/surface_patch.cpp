@@ -1,8 +1,10 @@
 #include "contact/detect/surface/surface_patch.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "contact/detect/surface/axis_choice.h"
 
@@ -117,6 +119,13 @@ Vec3 across_axis(const Vec3& direction) {
   return length > k_least_lean ? Vec3(across / length) : Vec3::UnitX();
 }
 
+/// The cosine of k eighths of a turn. Corners that are images of each other have the same numbers to the last bit.
+double rim_cosine(int k) {
+  constexpr double k_root = std::numbers::sqrt2 / 2;
+  constexpr std::array<double, k_rim_corners> k_cosines{1, k_root, 0, -k_root, -1, -k_root, 0, k_root};
+  return k_cosines[k % k_rim_corners];
+}
+
 void show_cylinder(const PatchView& view, const Projection& projection, SurfacePatch& patch) {
   const Part& part = view.part;
   const Vec3 direction = view.sign * projection.h;
@@ -129,10 +138,9 @@ void show_cylinder(const PatchView& view, const Projection& projection, SurfaceP
   };
   if (std::sqrt(direction.x() * direction.x() + direction.y() * direction.y()) <= k_flat_sine) {
     projection.set_plane(cap < 0 ? Vec3(-Vec3::UnitZ()) : Vec3::UnitZ(), part.half_height, loop);
-    for (int k = 0; k < k_rim_corners; ++k) {
-      const Vec3 radial = Eigen::AngleAxisd(k * 2.0 * k_pi / k_rim_corners, Vec3::UnitZ()) * across;
-      add(part.radius * radial + cap * Vec3::UnitZ(), k);
-    }
+    const Vec3 beside(-across.y(), across.x(), 0);
+    for (int k = 0; k < k_rim_corners; ++k)
+      add(part.radius * (rim_cosine(k) * across + rim_cosine(k + 6) * beside) + cap * Vec3::UnitZ(), k);
     return;
   }
   projection.set_plane(across, part.radius, loop);

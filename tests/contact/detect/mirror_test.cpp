@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "contact/detect/detector.h"
+#include "contact/detect/swept.h"
 #include "tests/contact/detect/bodies_of_tests.h"
 #include "tests/support/mirrored.h"
 
@@ -116,6 +117,85 @@ TEST(MirroredPair, ImagesOfEachOtherTouchOnThePlaneBetweenThem) {
   }
   EXPECT_GT(touching, 5000);
 }
+
+/// One of the shapes that are their own images: a box, a ball or a cylinder.
+geometry::Shape own_image(RandomStream& random, int kind) {
+  const auto length = [&] { return random.uniform(0.2, 1); };
+  if (kind == 0) return geometry::box_shape({length(), length(), length()});
+  if (kind == 1) return geometry::sphere_shape(0.5 * length());
+  return geometry::cylinder_shape(0.5 * length(), length());
+}
+
+struct ShapePair {
+  const char* name;
+  int a, b;  ///< kinds of own_image
+};
+
+class MirroredShapes : public testing::TestWithParam<ShapePair> {
+ protected:
+  /// Draws a pair that may touch, and its image.
+  void draw(RandomStream& random) {
+    port = {};
+    starboard = {};
+    const Vec3 away = random_tilt(random, 3) * Vec3(random.uniform(0.4, 1), 0, 0);
+    for (const int body : {0, 1}) {
+      const geometry::Shape shape = own_image(random, body == 0 ? GetParam().a : GetParam().b);
+      // Some stand upright, so that faces and caps lie on each other.
+      const Quat q = random.uniform(0, 1) < 0.3 ? Quat::Identity() : random_tilt(random, 3);
+      const Vec3 p = Vec3(1.7, 0.3, 0.1) + body * away;
+      add_body(port, shape, p, q);
+      add_body(starboard, shape, mirrored(p), mirrored(q));
+    }
+  }
+
+  bodies::Bodies port, starboard;
+};
+
+TEST_P(MirroredShapes, HaveMirroredPoints) {
+  RandomStream random(12, GetParam().name);
+  int touching = 0;
+  for (int k = 0; k < 3000; ++k) {
+    draw(random);
+    ContactDetector one, two;
+    const auto points = one.detect(port, 0.05);
+    touching += points.empty() ? 0 : 1;
+    ASSERT_EQ(rows(points, true), rows(two.detect(starboard, 0.05), false)) << "pair " << k;
+  }
+  EXPECT_GT(touching, 500);
+}
+
+TEST_P(MirroredShapes, MeetAtTheSameTime) {
+  RandomStream random(13, GetParam().name);
+  int hits = 0;
+  for (int k = 0; k < 1000; ++k) {
+    draw(random);
+    std::vector<BodyMotion> motions(2), images(2);
+    for (const int body : {0, 1}) {
+      const Vec3 way = random_tilt(random, 3) * Vec3(0.5, 0, 0), turn = random_tilt(random, 3) * Vec3(1, 0, 0);
+      motions[body] = {port.p_GB[body], port.R_GB[body], way, turn};
+      images[body] = {starboard.p_GB[body], starboard.R_GB[body], mirrored(way), test::mirrored_axial(turn)};
+    }
+    FclShapes fcl;
+    AxisSearchRoom room;
+    const auto meet = [&](const bodies::Bodies& bodies, const std::vector<BodyMotion>& ways) {
+      const std::vector<Part> a = make_parts(bodies, 0), b = make_parts(bodies, 1);
+      return time_of_impact(a.front(), ways[0], b.front(), ways[1], fcl, room);
+    };
+    const TimeOfImpact one = meet(port, motions), two = meet(starboard, images);
+    ASSERT_EQ(one.hit, two.hit) << "pair " << k;
+    ASSERT_EQ(one.t, two.t) << "pair " << k;
+    ASSERT_EQ(mirrored(one.on_a), two.on_a) << "pair " << k;
+    ASSERT_EQ(mirrored(one.n), two.n) << "pair " << k;
+    hits += one.hit ? 1 : 0;
+  }
+  EXPECT_GT(hits, 100);
+}
+
+// A cylinder's axis with a box or another cylinder is found by iteration, so that its image has other last bits.
+INSTANTIATE_TEST_SUITE_P(Pairs, MirroredShapes,
+                         testing::Values(ShapePair{"boxes", 0, 0}, ShapePair{"box_and_ball", 0, 1},
+                                         ShapePair{"balls", 1, 1}, ShapePair{"ball_and_cylinder", 1, 2}),
+                         [](const testing::TestParamInfo<ShapePair>& one) { return std::string(one.param.name); });
 
 }  // namespace mirror_test
 }  // namespace nilas::detect
