@@ -9,11 +9,32 @@ bool takes_water(const bodies::Bodies& bodies, int b) {
   return bodies.is_free(b) && (bodies.kind[i] == bodies::BodyKind::floe || bodies.kind[i] == bodies::BodyKind::rigid);
 }
 
+namespace {
+
+/// The faces of a convex body as triangles around the middle of each. With one diagonal per face, drag on a body that
+/// spins would depend on the sense of the spin.
+geometry::TriangleMesh around_middles(const geometry::ConvexPolytope& body) {
+  geometry::TriangleMesh mesh;
+  mesh.vertices = body.vertices;
+  for (const auto& face : body.faces) {
+    Vec3 sum = Vec3::Zero();
+    for (const int v : face) sum += body.vertices[v];
+    const int middle = static_cast<int>(mesh.vertices.size());
+    mesh.vertices.push_back(sum / static_cast<double>(face.size()));
+    for (std::size_t k = 0; k < face.size(); ++k)
+      mesh.triangles.push_back({middle, face[k], face[(k + 1) % face.size()]});
+  }
+  return mesh;
+}
+
+}  // namespace
+
 WetGeometry prepare_geometry(const geometry::Shape& shape) {
   switch (shape.kind) {
     case geometry::ShapeKind::prism:
       return PrismWater(shape);
     case geometry::ShapeKind::box:
+      return MeshWater(around_middles(shape.parts.front()));
     case geometry::ShapeKind::cylinder:
     case geometry::ShapeKind::mesh:
       return MeshWater(shape.surface);

@@ -58,6 +58,7 @@ TEST(Symmetry, MirroredFloesAndMeshes) {
   for (const auto& outline : {concave_outline(), forked_outline()})
     shapes.emplace_back(geometry::prism_shape(outline, 0.5), geometry::prism_shape(mirrored(outline, 2), 0.5));
   shapes.emplace_back(geometry::mesh_shape(lofted_hull(), {}), geometry::mesh_shape(mirrored(lofted_hull()), {}));
+  shapes.emplace_back(geometry::box_shape({1.2, 0.7, 0.5}), geometry::box_shape({1.2, 0.7, 0.5}));  // its own image
   hydro::Water water;
   water.current = {0.3, 0, 0};
   const auto buoyancy = hydro::make_buoyancy(water, 1), drag = hydro::make_drag(water, {}, 1, true);
