@@ -17,6 +17,7 @@ DOCUMENTED = (
     (r"integrator 'reference' takes \d+: use|the law may have no answer without an impulse"
      r"|integrator 'reference' suits smooth motion|integrator 'reference' finds more than", "theory/dynamics.md",
      "motion that integrator `reference` does not follow"),
+    (r"the damping is negative at \d+ frequencies", "theory/radiation.md", "damping of a database that is negative"),
     (r"try a smaller <time step>", "reference/conventions.md", "motion grows beyond all bounds"),
 )
 

@@ -89,9 +89,20 @@ def _compare(case: Case, kind: str, to_the_bit: bool) -> str | None:
     return "" if judged else None
 
 
+def _has_mirror_image(case: Case) -> bool:
+    """Whether the pages promise the same bits in the mirror.
+
+    Not so with a pyramid of an odd number of sides, nor for cylinders, whose contacts are found by iteration.
+    """
+    sides = case.attribute("contact", "law").removeprefix("pyramid-")
+    even = not sides.isdecimal() or int(sides) % 2 == 0
+    return even and case.scene.xml.find(".//body[@shape='cylinder']") is None
+
+
 def mirror(case: Case) -> str | None:
     """The mirrored scene moves as the mirror image: to the bit with order-free solvers, else until bodies touch."""
-    return _compare(case, "mirrored", case.attribute("contact", "solver") in ORDER_FREE)
+    exact = case.attribute("contact", "solver") in ORDER_FREE and _has_mirror_image(case)
+    return _compare(case, "mirrored", exact)
 
 
 def turn(case: Case) -> str | None:
