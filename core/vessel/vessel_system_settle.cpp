@@ -65,7 +65,14 @@ VecX CarriedVessel::equilibrium(const RestModel& rest) {
 VesselRest CarriedVessel::settle(const RestModel& rest, bool start_there) {
   NILAS_DEMAND(h_ == 0);
   if (rest.weight == 0) return {CarriageLoads{}, {}};
-  const VecX q = equilibrium(rest);
+  const VecX q = [&] {
+    try {
+      return equilibrium(rest);
+    } catch (...) {
+      place(now_, u_);  // the search left the tree where it failed
+      throw;
+    }
+  }();
   const VecX left = static_force(rest, q);
   bool rests = true;
   for (const int i : free_coordinates_) {

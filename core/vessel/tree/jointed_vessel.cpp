@@ -50,7 +50,19 @@ VesselRest JointedVessel::settle(const RestModel& rest, bool start_there) {
   NILAS_DEMAND(h_ == 0);
   if (!motion_) return {};
   const VecX placed = tree_.coordinates(), u = tree_.speeds();
-  const JointedRest found = jointed_rest(tree_, model_, rest, now_);
+  const auto put_back = [&] {
+    tree_.set_carriage(now_);
+    tree_.set_speeds(u);
+    tree_.set_coordinates(placed);
+  };
+  const JointedRest found = [&] {
+    try {
+      return jointed_rest(tree_, model_, rest, now_);
+    } catch (...) {
+      put_back();  // the search left the tree where it failed
+      throw;
+    }
+  }();
   const CarriageLoads before = loads_;
   tree_.set_carriage(now_);
   tree_.set_speeds(u);

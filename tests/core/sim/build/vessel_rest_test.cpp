@@ -195,6 +195,20 @@ TEST(VesselRest, APartThatNothingHoldsIsToldAndStartsAsPlaced) {
   }
 }
 
+/// The search for the rest of a part on a soft spring fails 50 m below. It must leave nothing behind.
+TEST(VesselRest, ASearchThatFailsLeavesThePartWhereItIsPlaced) {
+  for (const char* const scheme : {"moreau", "semi-implicit-euler"}) {
+    Rig rig(integrator(scheme) +
+            "<vessel><hull/><mass value='5e3'/><carriage start='as-placed'/>"
+            "<part name='load' joint='slider' stiffness='198'/></vessel>");
+    const auto part = static_cast<std::size_t>(rig.simulation.vessel_index()) + 1;
+    const double before = rig.simulation.bodies().p_GB[part].z();
+    const StepRecord record = rig.simulation.step();
+    EXPECT_NEAR(rig.simulation.bodies().p_GB[part].z() - before, 0, 9.81 * 1e-4) << scheme;
+    EXPECT_NEAR(record.ledger.imbalance, 0, 1e-8) << scheme;
+  }
+}
+
 TEST(VesselRest, ThreadsAndCheckpointsKeepItsBits) {
   const std::string scene =
       integrator("moreau") + k_water + ship("free='heave pitch' speed='0.3' ramp='0.1'", k_six_cells);
