@@ -34,6 +34,18 @@ TEST(Failure, StopEndsWithCodeThreeAndLeavesTheProblem) {
   EXPECT_LE(nlohmann::json::parse(solved.out)["law_map_m_s"].get<double>(), 1e-8);
 }
 
+/// FCLIB has no row for spinning friction, which must not hide why the run failed.
+TEST(Failure, AProblemThatCannotBeStoredHidesNoReason) {
+  const ScratchFolder folder;
+  folder.write("scene.xml",
+               "<scene version='1'><time step='0.0019' end='0.0019'/><contact on_failure='stop'>"
+               "<friction between='* *' kinetic='0' spinning='0.02'/></contact><body/><body size='0.04 0.1 0.05' "
+               "position='-0.1 0 0' velocity='0.6 0 0'/><body/></scene>");
+  const ProgramResult result = run_nilas("run scene.xml --out run", folder.path());
+  EXPECT_EQ(result.exit_code, 3) << result.err;
+  EXPECT_NE(result.err.find("the contact solver stopped with status"), std::string::npos) << result.err;
+}
+
 TEST(Failure, RecordGoesOnAndCounts) {
   const ScratchFolder folder;
   folder.write("stack.xml", stack("tolerance='1e-12' on_failure='record'"));

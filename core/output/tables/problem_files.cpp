@@ -38,7 +38,12 @@ void ProblemFiles::step(const sim::StepRecord& record, const contact::SolvedProb
 }
 
 void ProblemFiles::last(const contact::SolvedProblem& solved) {
-  if (solved.problem.num_contacts() > 0) write("last.hdf5", solved);
+  if (solved.problem.num_contacts() == 0) return;
+  try {
+    write("last.hdf5", solved);
+  } catch (const InputError&) {
+    // FCLIB's form cannot hold this problem; what the run has to say of its failure matters more.
+  }
 }
 
 void ProblemFiles::save(StateWriter out) const {
