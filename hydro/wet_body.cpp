@@ -9,16 +9,14 @@ bool takes_water(const bodies::Bodies& bodies, int b) {
   return bodies.is_free(b) && (bodies.kind[i] == bodies::BodyKind::floe || bodies.kind[i] == bodies::BodyKind::rigid);
 }
 
-namespace {
-
-/// The faces of a convex body as triangles around the middle of each. With one diagonal per face, drag on a body that
-/// spins would depend on the sense of the spin.
-geometry::TriangleMesh around_middles(const geometry::ConvexPolytope& body) {
+geometry::TriangleMesh water_surface(const geometry::Shape& shape) {
+  if (shape.kind != geometry::ShapeKind::box) return shape.surface;
+  const geometry::ConvexPolytope& box = shape.parts.front();
   geometry::TriangleMesh mesh;
-  mesh.vertices = body.vertices;
-  for (const auto& face : body.faces) {
+  mesh.vertices = box.vertices;
+  for (const auto& face : box.faces) {
     Vec3 sum = Vec3::Zero();
-    for (const int v : face) sum += body.vertices[v];
+    for (const int v : face) sum += box.vertices[v];
     const int middle = static_cast<int>(mesh.vertices.size());
     mesh.vertices.push_back(sum / static_cast<double>(face.size()));
     for (std::size_t k = 0; k < face.size(); ++k)
@@ -27,17 +25,14 @@ geometry::TriangleMesh around_middles(const geometry::ConvexPolytope& body) {
   return mesh;
 }
 
-}  // namespace
-
 WetGeometry prepare_geometry(const geometry::Shape& shape) {
   switch (shape.kind) {
     case geometry::ShapeKind::prism:
       return PrismWater(shape);
     case geometry::ShapeKind::box:
-      return MeshWater(around_middles(shape.parts.front()));
     case geometry::ShapeKind::cylinder:
     case geometry::ShapeKind::mesh:
-      return MeshWater(shape.surface);
+      return MeshWater(water_surface(shape));
     case geometry::ShapeKind::sphere:
     case geometry::ShapeKind::plane:
       break;

@@ -147,7 +147,7 @@ std::unique_ptr<const WaveSurface> WaveLoads::surface_of(const geometry::Shape& 
     return std::make_unique<const WaveSurface>(sphere_surface(shape.radius), longest);
   if (shape.kind == geometry::ShapeKind::prism)
     return std::make_unique<const WaveSurface>(even_surface(shape), longest);
-  return std::make_unique<const WaveSurface>(shape.surface, longest);
+  return std::make_unique<const WaveSurface>(water_surface(shape), longest);
 }
 
 /// Bodies come and go as ice breaks.
