@@ -9,8 +9,9 @@
 # `level-ice TABLE` tows through ice that breaks, over thicknesses and speeds, steps, hull meshes, and in broken ice.
 # `hull` prepares five hulls from users' files, stage by stage, and fails where one takes too long or is worse than recorded.
 # `replay` measures the replay of towing runs: its size, what it costs the run, and how fast its page is.
+# `size` measures time, memory and bytes of output of fields of up to a million floes.
 # `cut` makes random cuts of floes, ordinary and adversarial, and shows what each kind keeps and costs.
-# usage: tests/bench/run.sh [packed|exact|front|loads|solvers|scaling|threads|collision|field|presawn|symmetry|level-ice|load-coverage|load-statistics|hull|cut|replay|kernels|help]      (through ./dev bench)
+# usage: tests/bench/run.sh [packed|exact|front|loads|solvers|scaling|threads|collision|field|presawn|symmetry|level-ice|load-coverage|load-statistics|hull|cut|replay|size|kernels|help]      (through ./dev bench)
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 bin=build/bench
@@ -161,9 +162,11 @@ case "${1:-packed}" in
   symmetry) shift; "$bin/bench_presawn_symmetry" "${END:-10}" "$@" ;;
   hull) shift; "$bin/bench_hull" "$bin/hull" "${THREADS:-$(nproc)}" "$@" ;;
   replay) shift; tests/bench/replay/measure.sh "$bin/bench_replay_cost" "$bin/apps/view_page" "$bin/replay" "$@" ;;
+  size) /usr/bin/python3 tests/bench/size/measure.py "$bin/nilas" "$bin/tests/bench/libprocessor_clock.so" "$bin/size" \
+    ${SIZES:-10000 100000 1000000} ;;
   cut) "$bin/bench_cut_study" "${CUTS:-100000}" ;;
   kernels) shift; "$bin/bench_kernels" "$@" ;;
-  *) echo "usage: ./dev bench [packed|exact|front|loads|solvers|scaling|threads|collision [TABLE]|field|presawn|symmetry|level-ice [TABLE]|load-coverage|load-statistics|hull [SHAPE ...]|cut|replay [SIZE ...]|kernels]
+  *) echo "usage: ./dev bench [packed|exact|front|loads|solvers|scaling|threads|collision [TABLE]|field|presawn|symmetry|level-ice [TABLE]|load-coverage|load-statistics|hull [SHAPE ...]|cut|replay [SIZE ...]|size|kernels]
 collision: classes (against the oracle, BATCHES=100 of 1000 pairs in each class, CLASS=name for one), peers (beside FCL and
 Bullet, PAIRS=1000 of each class), steps (a field that moves, SIZES, STEPS=100), threads, swept (missed and false first
 contacts of PAIRS=100000 random pairs on their way), plates (PAIRS=100000 thin plates that fly at others, alone and in crowds),
@@ -175,6 +178,7 @@ steps, meshes, field (broken ice that may and may not break), TWINS=n (2); load-
 load holds in level ice, RUNS=10 of each setting until UNTIL=4.6 s; load-statistics: convergence of peaks, coverage of stated
 errors and of return levels, on JOBS=2 cores, goes on where it was stopped; hull: wedge, cone, moon-pool, semi-submersible, ship-with-bulb,
 on THREADS (all cores), ends with 1 where 18 000 triangles take over 60 s or parts stand further off than recorded; cut: CUTS=100000 random cuts of floes; replay: sizes 100, 1000 and 10000 floes, in Chromium;
+size: SIZES in floes (1e6 take 17 GB), STEPS=6 of each;
 ROUNDS=n: how often packed (3), threads and collision peers (5) are measured; THREADS=n;
 LIMIT=s: seconds that a solver has for a problem (solvers 5, scaling 60) or a scene (exact 600, MuJoCo in it 300);
 PYTHON=python3: one with the packages mujoco and numpy adds MuJoCo to exact; NILAS_FCLIB_DIR: a folder of further problems for solvers" ;;
