@@ -40,7 +40,7 @@ READING_ORDER = {
                "fracture-breaking", "fracture-cutting", "load-error", "report", "load-statistics", "compare"],
     "evidence": ["verification", "validation", "validation-scenes", "validation-symmetry", "validation-breaking",
                  "validation-contacts", "validation-solvers", "validation-loads", "validation-statistics", "validation-formulas", "validation-results",
-                 "reliability", "reliability-faults", "reliability-fuzzing", "reliability-scenes", "limits", "limitations"],
+                 "reliability", "reliability-faults", "reliability-fuzzing", "reliability-scenes", "reliability-long", "reliability-size", "limits", "limitations"],
     "develop": ["architecture", "contributing"],
 }
 
