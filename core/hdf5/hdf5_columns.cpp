@@ -8,6 +8,7 @@
 #include <cstring>
 
 #include "core/base/error.h"
+#include "core/hdf5/first_reason.h"
 
 namespace nilas::hdf5 {
 
@@ -73,69 +74,10 @@ bool append(const Hdf5Handle& file, const std::string& name, std::int64_t first,
          H5Dflush(data.get()) >= 0;
 }
 
-/// The first `count` rows; false where there are fewer.
-bool read_rows(const Hdf5Handle& file, const std::string& name, std::int64_t count, hsize_t width, hid_t type,
-               void* values) {
-  const Hdf5Handle data(H5Dopen2(file.get(), name.c_str(), H5P_DEFAULT), H5Dclose);
-  if (!data.good()) return false;
-  const Hdf5Handle space(H5Dget_space(data.get()), H5Sclose);
-  std::array<hsize_t, 2> extent{0, 1};
-  const int rank = H5Sget_simple_extent_ndims(space.get());
-  if (rank != (width == 1 ? 1 : 2) || H5Sget_simple_extent_dims(space.get(), extent.data(), nullptr) < 0) return false;
-  const auto rows = static_cast<hsize_t>(count);
-  if (extent[0] < rows || extent[1] != width) return false;
-  if (rows == 0) return true;
-  const std::array<hsize_t, 2> size{rows, width};
-  const Hdf5Handle memory(H5Screate_simple(2, size.data(), nullptr), H5Sclose);
-  return H5Dread(data.get(), type, memory.get(), rows_of(data, 0, rows, width).get(), H5P_DEFAULT, values) >= 0;
-}
-
 template <class T>
 hid_t memory_type(const std::vector<T>&) {
   return std::is_same_v<T, double> ? H5T_NATIVE_DOUBLE : H5T_NATIVE_INT64;
 }
-
-/// Notes why the first call of HDF5 fails during its life. Later calls, those that close handles too, clear what HDF5
-/// itself remembers.
-class FirstReason {
- public:
-  FirstReason() {
-    H5Eget_auto2(H5E_DEFAULT, &before_, &data_before_);
-    H5Eset_auto2(H5E_DEFAULT, note, this);
-  }
-  ~FirstReason() { H5Eset_auto2(H5E_DEFAULT, before_, data_before_); }
-  FirstReason(const FirstReason&) = delete;
-  FirstReason& operator=(const FirstReason&) = delete;
-
-  /// The message of the operating system, else that of HDF5.
-  const std::string& text() const { return text_; }
-  /// Whether the operating system refused a call.
-  bool of_system() const { return of_system_; }
-
- private:
-  static herr_t note(hid_t stack, void* data) {
-    auto& self = *static_cast<FirstReason*>(data);
-    return self.text_.empty() ? H5Ewalk2(stack, H5E_WALK_UPWARD, look, data) : 0;
-  }
-  static herr_t look(unsigned, const H5E_error2_t* error, void* data) {
-    auto& self = *static_cast<FirstReason*>(data);
-    constexpr const char* k_before = "error message = '";
-    const char* const found = error->desc == nullptr ? nullptr : std::strstr(error->desc, k_before);
-    if (found != nullptr) {
-      self.text_ = found + std::strlen(k_before);
-      self.text_ = self.text_.substr(0, self.text_.find('\''));
-      self.of_system_ = true;
-    } else if (self.text_.empty() && error->desc != nullptr) {
-      self.text_ = error->desc;
-    }
-    return 0;
-  }
-
-  H5E_auto2_t before_ = nullptr;
-  void* data_before_ = nullptr;
-  std::string text_;
-  bool of_system_ = false;
-};
 
 }  // namespace
 
@@ -176,26 +118,23 @@ void Hdf5Columns::create(const std::filesystem::path& path) const {
 
 /// Copies the rows to keep into a new file next to the old one, which may hold rows of an unfinished write.
 void Hdf5Columns::take_over(Length keep) {
-  {
-    const FirstReason reason;
-    const Hdf5Handle old(H5Fopen(path_.c_str(), H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, file_access().get()), H5Fclose);
-    if (!old.good() && !std::filesystem::exists(path_)) fail("it is not there");
-    std::vector<std::int64_t> index(k_index_width * static_cast<std::size_t>(keep.blocks));
-    bool held = old.good() && read_rows(old, layout_.index, keep.blocks, k_index_width, H5T_NATIVE_INT64, index.data());
-    held = held && (index.empty() ? keep.rows == 0 : index.back() == keep.rows);
-    for (auto& column : layout_.columns)
-      std::visit(
-          [&](auto& values) {
-            values.resize(static_cast<std::size_t>(keep.rows));
-            held = held &&
-                   read_rows(old, layout_.group + "/" + column.name, keep.rows, 1, memory_type(values), values.data());
-          },
-          column.values);
-    if (!held && reason.of_system()) throw FileError(path_.string() + ": cannot be read: " + reason.text());
-    if (!held)
-      throw InputError(path_.string() + ": does not hold the " + std::to_string(keep.rows) +
-                       " rows that the checkpoint goes on from");
+  try {
+    const Hdf5Reader old(path_, Hdf5Reader::Place::disk);
+    const auto rows = static_cast<std::size_t>(keep.rows), blocks = static_cast<std::size_t>(keep.blocks);
+    const auto index = old.first_integers(layout_.index, blocks, k_index_width);
+    if (index.empty() ? keep.rows != 0 : index.back() != keep.rows)
+      old.refuse(layout_.index, "has no block that ends there");
+    for (auto& column : layout_.columns) {
+      const std::string name = layout_.group + "/" + column.name;
+      if (auto* numbers = std::get_if<std::vector<double>>(&column.values))
+        *numbers = old.first_numbers(name, rows);
+      else
+        column.values = old.first_integers(name, rows);
+    }
     for (std::size_t b = 0; b < index.size(); b += k_index_width) ends_.push_back(index[b + 1]);
+  } catch (const InputError& fault) {
+    throw InputError(path_.string() + ": does not hold the " + std::to_string(keep.rows) +
+                     " rows that the checkpoint goes on from: " + fault.what());
   }
   rows_ = keep.rows;
   std::filesystem::path beside = path_;

@@ -1,12 +1,10 @@
 #pragma once
 /// The few things of HDF5 that problem files and checkpoints need: named datasets of numbers and short texts, read with
-/// suspicion.
-///
-/// A file is taken into memory whole, so nothing is ever allocated beyond what it really holds: each dataset's extent
-/// is checked against its storage, its storage against the size of the file. Names are paths such as "fclib_local/W/x".
+/// suspicion. Names are paths such as "fclib_local/W/x".
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -49,11 +47,22 @@ class Hdf5Silence {
   void* print_data_ = nullptr;
 };
 
+struct Question;
+class ReadingProcess;
+
 /// A file open for reading. Wrong content is an InputError with the file and the dataset named.
+///
+/// HDF5's library crashes at some damaged files. So a process of its own reads the file, with bounds on its memory and
+/// its processor time, and hands over what is asked for (reading_process.h). It lives as long as the reader, which one
+/// thread at a time may use.
 class Hdf5Reader {
  public:
-  /// Throws FileError where the file cannot be opened, InputError where it is no HDF5 file or is cut short.
-  explicit Hdf5Reader(const std::filesystem::path& path);
+  /// Where the process has the file: `memory` takes it whole, `disk` reads only what is asked for.
+  enum class Place { memory, disk };
+  /// Throws FileError where the file cannot be opened or no process can be started, InputError where it is no HDF5 file
+  /// or is cut short.
+  explicit Hdf5Reader(const std::filesystem::path& path, Place place = Place::memory);
+  ~Hdf5Reader();
 
   /// True for a group or dataset held in this file; links that lead elsewhere do not count.
   bool has(const std::string& name) const;
@@ -80,6 +89,8 @@ class Hdf5Reader {
   /// The first `count` of a list, which must be as long; what follows need not be readable.
   std::vector<double> first_numbers(const std::string& name, std::size_t count) const;
   std::vector<std::int64_t> first_integers(const std::string& name, std::size_t count) const;
+  /// The first `count` rows of a table of so many columns.
+  std::vector<std::int64_t> first_integers(const std::string& name, std::size_t count, std::size_t columns) const;
   /// Number of elements along each dimension; empty for a scalar.
   std::vector<std::size_t> shape(const std::string& name) const;
   /// A list of texts of fixed or variable length.
@@ -92,17 +103,13 @@ class Hdf5Reader {
   [[noreturn]] void refuse(const std::string& name, const std::string& fault) const;
 
  private:
-  struct Dataset;
-  Dataset open(const std::string& name) const;
-  static std::size_t chunk_entries(const Dataset& dataset);
-  void check_storage(const Dataset& dataset, const std::string& name) const;
-  void read_first(const std::string& name, std::size_t count, std::int64_t type, void* values) const;
-  VecX read_numbers(const std::string& name) const;
+  std::vector<double> ask_numbers(const Question& question) const;
+  std::vector<std::int64_t> ask_integers(const Question& question) const;
+  std::int64_t ask_integer(const Question& question) const;
+  std::vector<std::string> ask_texts(const Question& question) const;
 
-  Hdf5Silence silence_;
   std::string path_;
-  std::size_t file_bytes_ = 0;
-  Hdf5Handle file_;
+  std::unique_ptr<ReadingProcess> process_;
 };
 
 /// A file made in memory and put on disk by save().

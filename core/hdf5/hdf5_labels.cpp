@@ -1,6 +1,6 @@
 #include <hdf5.h>
 
-#include "core/hdf5/hdf5_file.h"
+#include "core/hdf5/hdf5_parser.h"
 
 namespace nilas::hdf5 {
 
@@ -61,7 +61,7 @@ std::string scale_name(hid_t attribute, const hvl_t& references) {
 
 }  // namespace
 
-std::vector<std::size_t> Hdf5Reader::shape(const std::string& name) const {
+std::vector<std::size_t> Hdf5Parser::shape(const std::string& name) const {
   if (!has(name)) refuse(name, "is missing");
   const OpenDataset data = open_dataset(file_.get(), name);
   const int rank = data.good() ? H5Sget_simple_extent_ndims(data.space.get()) : -1;
@@ -71,7 +71,7 @@ std::vector<std::size_t> Hdf5Reader::shape(const std::string& name) const {
   return {extent.begin(), extent.end()};
 }
 
-std::vector<std::string> Hdf5Reader::texts(const std::string& name) const {
+std::vector<std::string> Hdf5Parser::texts(const std::string& name) const {
   if (!has(name)) refuse(name, "is missing");
   const OpenDataset data = open_dataset(file_.get(), name);
   if (!data.good() || H5Tget_class(data.type.get()) != H5T_STRING) refuse(name, "does not hold texts");
@@ -86,7 +86,7 @@ std::vector<std::string> Hdf5Reader::texts(const std::string& name) const {
   return texts;
 }
 
-std::vector<std::string> Hdf5Reader::dimension_names(const std::string& name) const {
+std::vector<std::string> Hdf5Parser::dimension_names(const std::string& name) const {
   const std::size_t rank = shape(name).size();
   std::vector<std::string> names(rank);
   const OpenDataset data = open_dataset(file_.get(), name);
