@@ -40,7 +40,8 @@ READING_ORDER = {
                "fracture-breaking", "fracture-cutting", "load-error", "report", "load-statistics", "compare"],
     "evidence": ["verification", "validation", "validation-scenes", "validation-symmetry", "validation-breaking",
                  "validation-contacts", "validation-solvers", "validation-loads", "validation-statistics", "validation-formulas", "validation-results",
-                 "reliability", "reliability-faults", "reliability-fuzzing", "reliability-scenes", "reliability-long", "reliability-size", "limits", "limitations"],
+                 "reliability", "reliability-faults", "reliability-fuzzing", "reliability-view", "reliability-scenes",
+                 "reliability-long", "reliability-size", "reliability-builds", "limits", "limitations"],
     "develop": ["architecture", "contributing"],
 }
 

@@ -10,6 +10,7 @@
 #include <fstream>
 #include <thread>
 
+#include "apps/view/connections.h"
 #include "apps/view/end_connections.h"
 #include "apps/view/http.h"
 #include "apps/view/page.h"
@@ -23,8 +24,12 @@ namespace {
 constexpr std::size_t k_token_bytes = 16, k_part_bytes = 1 << 16;
 constexpr std::size_t k_longest_request = 4096;
 /// Every open page keeps one thread. The others answer what pages ask for.
-constexpr int k_most_readers = 16;
+constexpr std::size_t k_most_readers = 16;
 constexpr std::size_t k_threads = 24;
+/// Most connections that are open at once. The run itself needs open files.
+constexpr std::size_t k_most_connections = 64;
+/// Every request but that of a page for the stream must be over by then.
+constexpr std::chrono::seconds k_longest_request_time{10};
 constexpr time_t k_keep_alive = 1, k_read_timeout = 2;  // [s]
 constexpr std::chrono::seconds k_farewell{2};
 constexpr std::chrono::milliseconds k_longest_wait{200};
@@ -56,11 +61,17 @@ bool is_local_name(const std::string& host) {
   return name == "127.0.0.1" || name == "localhost" || name == "[::1]";
 }
 
+/// Whether a page of another site asks. Browsers say where a page comes from, but for plain reading.
+bool is_foreign(const httplib::Request& request) {
+  const std::string origin = request.get_header_value("Origin");
+  return !origin.empty() && origin != "http://" + request.get_header_value("Host");
+}
+
 }  // namespace
 
 struct LiveServer::Http {
   httplib::Server server;
-  std::thread thread;
+  std::thread thread, guard;
   std::atomic<bool> over = false;  ///< the thread does not listen any more
   int port = 0;
 };
@@ -71,7 +82,7 @@ LiveServer::LiveServer(const LiveAddress& address, const std::string& title, std
       file_(std::move(replay_file)),
       http_(std::make_unique<Http>()) {
   httplib::Server& server = http_->server;
-  server.new_task_queue = [] { return new httplib::ThreadPool(k_threads); };
+  server.new_task_queue = [] { return new BoundedPool(k_threads, k_most_connections); };
   server.set_payload_max_length(k_longest_request);
   server.set_keep_alive_timeout(k_keep_alive);
   server.set_read_timeout(k_read_timeout);
@@ -89,7 +100,7 @@ LiveServer::LiveServer(const LiveAddress& address, const std::string& title, std
     response.set_header("Referrer-Policy", "no-referrer");
     response.set_header("Cache-Control", "no-store");
     const bool allowed = same(request.get_param_value("token"), token_) &&
-                         (!only_local || is_local_name(request.get_header_value("Host")));
+                         (!only_local || is_local_name(request.get_header_value("Host"))) && !is_foreign(request);
     if (allowed) return httplib::Server::HandlerResponse::Unhandled;
     response.status = 403;
     response.set_content("This page needs the whole address that the run printed, with its token.\n", "text/plain");
@@ -109,6 +120,7 @@ LiveServer::LiveServer(const LiveAddress& address, const std::string& title, std
     http_->server.listen_after_bind();
     http_->over = true;
   });
+  http_->guard = std::thread([this] { guard_connections(); });
   // stop() has no effect on a server that has not begun.
   while (!http_->server.is_running() && !http_->over) std::this_thread::sleep_for(std::chrono::milliseconds(1));
 }
@@ -159,8 +171,9 @@ void LiveServer::add_routes() {
   server.Get("/", [this](const httplib::Request&, httplib::Response& response) {
     response.set_content(page_, "text/html; charset=utf-8");
   });
-  server.Get("/events", [this](const httplib::Request&, httplib::Response& response) {
-    if (!admit_reader()) {
+  server.Get("/events", [this](const httplib::Request& request, httplib::Response& response) {
+    const int port = request.remote_port;
+    if (!admit_reader(port)) {
       response.status = 503;
       response.set_content("Too many pages of this run are open. Close one, and this one goes on.\n", "text/plain");
       return;
@@ -175,9 +188,9 @@ void LiveServer::add_routes() {
             return false;  // the library would end the program
           }
         },
-        [this](bool) {
+        [this, port](bool) {
           const std::lock_guard lock(mutex_);
-          --readers_;
+          readers_.erase(readers_.find(port));
           grown_.notify_all();
         });
   });
@@ -194,12 +207,27 @@ void LiveServer::add_routes() {
   });
 }
 
-/// Counts one more open page, unless too many are open.
-bool LiveServer::admit_reader() {
+/// Notes one more open page by the port of its own end, unless too many are open.
+bool LiveServer::admit_reader(int port) {
   const std::lock_guard lock(mutex_);
-  if (readers_ >= k_most_readers) return false;
-  ++readers_;
+  if (readers_.size() >= k_most_readers) return false;
+  readers_.insert(port);
   return true;
+}
+
+/// Ends connections that take too long, since the library waits as long as a byte comes every two seconds.
+void LiveServer::guard_connections() {
+  SlowConnections slow(http_->port, k_longest_request_time);
+  while (!http_->over) {
+    slow.end([this](int port) {
+      const std::lock_guard lock(mutex_);
+      return readers_.contains(port);
+    });
+    std::unique_lock lock(mutex_);
+    constexpr std::chrono::milliseconds k_look{500};
+    grown_.wait_for(lock, k_look, [this] { return ended_; });
+    if (ended_) return;
+  }
 }
 
 /// Waits a little for the file to have more than `sent` bytes, or for another count of the run's state, and returns the
@@ -225,8 +253,9 @@ LiveServer::~LiveServer() {
     std::unique_lock lock(mutex_);
     ended_ = true;
     grown_.notify_all();
-    grown_.wait_for(lock, k_farewell, [this] { return readers_ == 0; });
+    grown_.wait_for(lock, k_farewell, [this] { return readers_.empty(); });
   }
+  http_->guard.join();
   http_->server.stop();
   // The library waits as long as clients go on to send a request, however slowly.
   while (!http_->over) {

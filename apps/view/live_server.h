@@ -6,6 +6,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "apps/view/live_control.h"
@@ -19,6 +20,7 @@ struct LiveAddress {
 
 /// One server with threads of its own. Pages read the replay file as it grows, so they cost the run nothing. Up to 16
 /// may be open at once, and they may come and go. Every request needs the token that is part of the address.
+/// At most 64 connections are open at once, and a request that takes longer than ten seconds is ended.
 class LiveServer {
  public:
   /// Opens the port. `title`: the name of the scene. The file need not exist yet. Throws FileError where the port
@@ -39,7 +41,8 @@ class LiveServer {
   struct Http;
   class Reader;
   void add_routes();
-  bool admit_reader();
+  bool admit_reader(int port);
+  void guard_connections();
   std::optional<std::int64_t> wait_for_more(std::int64_t sent, int state_count);
 
   std::string token_, page_, address_;
@@ -49,7 +52,7 @@ class LiveServer {
   std::condition_variable grown_;
   std::int64_t bytes_ = 0;
   bool ended_ = false;
-  int readers_ = 0;
+  std::multiset<int> readers_;  ///< ports of the other ends
   std::unique_ptr<Http> http_;
 };
 

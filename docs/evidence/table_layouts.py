@@ -101,6 +101,19 @@ LAYOUTS = {
         ("slowest input [s]", "{slowest_s}"),
         ("memory [MB]", "{memory_mb}"),
     ],
+    "reliability-view": [
+        ("attack", "{attack}"),
+        ("attempts", "{attempts}"),
+        ("answers", "{answers}"),
+        ("allowed", "{allowed}"),
+        ("good", "{good}"),
+    ],
+    "reliability-network": [
+        ("command", "`{command}`"),
+        ("pairs of sockets", "{pairs}"),
+        ("other sockets", "{others}"),
+        ("good", "{good}"),
+    ],
     "hdf5-damage": [
         ("file", "`{file}`"),
         ("command", "`{command}`"),
