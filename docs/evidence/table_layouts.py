@@ -91,6 +91,15 @@ LAYOUTS = {
         ("then the same bits", "{mended}"),
         ("bad", "{bad}"),
     ],
+    "builds": [
+        ("build", "{build}: {flags}"),
+        ("scene until", "`{scene}`, {until_s} s"),
+        ("same bits", "{same_bits}"),
+        ("first step that differs", "{first_other_step} of {steps}"),
+        ("mean load [N]", "{load_N} ± {load_error_N}"),
+        ("that of the release build [N]", "{reference_load_N}"),
+        ("rows of `verify` that fail", "{verify_failed} of {verify_rows}"),
+    ],
     "fuzzing": [
         ("target", "`{target}`"),
         ("reads", "{reads}"),

@@ -18,6 +18,8 @@ DOCUMENTED = (
      r"|integrator 'reference' suits smooth motion|integrator 'reference' finds more than", "theory/dynamics.md",
      "motion that integrator `reference` does not follow"),
     (r"the damping is negative at \d+ frequencies", "theory/radiation.md", "damping of a database that is negative"),
+    (r"the propeller holds .* at its largest rate", "theory/manoeuvring.md", "start faster than the propeller holds"),
+    (r"packed field: concentration: found", "theory/ice-field.md", "field that does not pack as closely"),
     (r"try a smaller <time step>", "reference/conventions.md", "motion grows beyond all bounds"),
 )
 
