@@ -12,6 +12,7 @@
 #include "hydro/database/wave_number.h"
 #include "hydro/modules.h"
 #include "hydro/waves/wave_surface.h"
+#include "hydro/wet_body.h"
 #include "tests/hydro/waves/synthetic_database.h"
 
 namespace wave_loads_test {
@@ -182,7 +183,7 @@ TEST(WaveLoads, CountsFroudeKrylovOnce) {
   const auto field = regular_field(0.02, 2 * k_pi, 0.4);
   const double shortest = field->shortest_length();
   Database database = test::synthetic_database();
-  const WaveSurface surface(bodies.shape[0]->surface, shortest / 8);
+  const WaveSurface surface(water_surface(*bodies.shape[0]), shortest / 8);
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t k = 0; k < database.heading.size(); ++k)
       database.excitation[i][k] =
