@@ -15,8 +15,8 @@ namespace {
 
 /// Parts nearer than this many of the pair's tolerances touch.
 constexpr double k_touching = 4;
-/// FCL's direction is used while it separates by more than this share of the smaller part. Nearer than that, the
-/// rounding of FCL's nearest points turns it by too much.
+/// A face's normal, and FCL's direction for cylinders, are used while they separate by more than this share of the
+/// smaller part. Nearer than that other axes may separate by much more, and rounding turns FCL's nearest points.
 constexpr double k_near = 1e-3;
 /// An advance ends where this share of the bound on the separation is left. Going closer gains nothing, because the
 /// bound itself is not sharp.
