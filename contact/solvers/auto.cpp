@@ -259,6 +259,9 @@ LeftByBodies solve_each_on_bodies(const contact::ContactProblem& problem, std::v
   return left;
 }
 
+/// For a stage before one that may need as much.
+Budget half_of(const Budget& budget) { return budget.capped((budget.iterations() + 1) / 2); }
+
 /// Climbs for an island whose W is too large to be formed or factorised: more sweeps, then the projected gradient where
 /// it knows the law, the first with half of the iterations and the second with the rest. The better impulses go into
 /// `whole.r`, iterations into `whole`.
@@ -269,8 +272,7 @@ contact::SolveStatus solve_without_w(const contact::ContactProblem& problem, con
   const contact::PreparedProblem part(part_problem);
   const VecX r = impulses_of(whole.r, island);
   const contact::SolverSettings& shared = settings.shared;
-  contact::ContactSolution found =
-      NsgsSolver({.shared = shared}).solve(part, r, budget.capped((budget.iterations() + 1) / 2));
+  contact::ContactSolution found = NsgsSolver({.shared = shared}).solve(part, r, half_of(budget));
   log.add("more nsgs", "sweeps", found.iterations);
   if (found.status != contact::SolveStatus::converged && part_problem.law != Law::pyramid &&
       budget.allows(found.iterations)) {
@@ -323,16 +325,16 @@ contact::ContactSolution climb_with_bodies(const contact::PreparedProblem& prepa
   if (swept.status == contact::SolveStatus::converged || problem.has_moments()) return swept;
   const double swept_map = contact::largest_law_map(prepared, swept.r, settings.shared.threads);
   if (guess.map < swept_map || (std::isnan(swept_map) && std::isfinite(guess.map))) swept.r = guess.r;
-  const auto climb_again = [&](const contact::PreparedProblem& part, const VecX& r) {
+  const Budget closing = half_of(budget.after(swept.iterations));
+  const auto climb_again = [&](const contact::PreparedProblem& part, const VecX& r, int done) {
     const double map = contact::largest_law_map(part, r, settings.shared.threads);
-    contact::ContactSolution found = climb_with_bodies(part, {r, map}, settings, budget.after(swept.iterations), log);
-    swept.iterations += found.iterations;
-    swept.history.insert(swept.history.end(), found.history.begin(), found.history.end());
-    return found;
+    return climb_with_bodies(part, {r, map}, settings, closing.after(done), log);
   };
-  auto unsolved = solve_closing(prepared, running.shared.tolerance, climb_again, swept.r);
+  ClosingOutcome apart = solve_closing(prepared, running.shared.tolerance, climb_again, swept.r);
+  swept.iterations += apart.iterations;
+  swept.history.insert(swept.history.end(), apart.history.begin(), apart.history.end());
   LeftByBodies unfinished =
-      solve_each_on_bodies(problem, std::move(unsolved), running, budget.after(swept.iterations), log, swept);
+      solve_each_on_bodies(problem, std::move(apart.unsolved), running, budget.after(swept.iterations), log, swept);
   std::vector<std::vector<int>>& islands = unfinished.islands;
   const Budget left = budget.after(swept.iterations);
   const auto first_large = std::stable_partition(islands.begin(), islands.end(),

@@ -7,6 +7,7 @@
 #include "contact/problem/islands.h"
 #include "contact/problem/operators.h"
 #include "contact/problem/row_of.h"
+#include "contact/solvers/solver.h"
 #include "core/base/union_find.h"
 
 namespace nilas::solvers {
@@ -105,8 +106,15 @@ void put(const VecX& part, const std::vector<int>& contacts, VecX& r) {
     r.segment<3>(contact::row_of(contacts[i])) = part.segment<3>(contact::row_of(i));
 }
 
+/// What the rounds of one island took.
+struct Rounds {
+  int iterations = 0;
+  std::vector<double> history;
+};
+
 /// The rounds of one island. Leaves the impulses with the least residual.
-void solve_apart(const contact::PreparedProblem& island, double tolerance, const PartSolve& solve, VecX& best) {
+Rounds solve_apart(const contact::PreparedProblem& island, double tolerance, const PartSolve& solve, VecX& best) {
+  Rounds rounds;
   const contact::ContactProblem& problem = island.problem();
   VecX r = best;
   std::vector<double> maps = law_maps(island, r);
@@ -120,7 +128,10 @@ void solve_apart(const contact::PreparedProblem& island, double tolerance, const
     for (const auto& part : parts) contacts.insert(contacts.end(), part.begin(), part.end());
     std::sort(contacts.begin(), contacts.end());
     const contact::ContactProblem part = contact::select(problem, contacts);
-    const contact::ContactSolution found = solve(contact::PreparedProblem(part), impulses_of(r, contacts));
+    const contact::ContactSolution found =
+        solve(contact::PreparedProblem(part), impulses_of(r, contacts), rounds.iterations);
+    rounds.iterations += found.iterations;
+    rounds.history.insert(rounds.history.end(), found.history.begin(), found.history.end());
     put(found.r, contacts, r);
     if (!r.allFinite()) break;
     maps = law_maps(island, r);
@@ -130,6 +141,7 @@ void solve_apart(const contact::PreparedProblem& island, double tolerance, const
     }
     goes_on = found.status == contact::SolveStatus::converged;
   }
+  return rounds;
 }
 
 }  // namespace
@@ -141,11 +153,12 @@ VecX impulses_of(const VecX& r, const std::vector<int>& contacts) {
   return out;
 }
 
-Islands solve_closing(const contact::PreparedProblem& whole, double tolerance, const PartSolve& solve, VecX& r) {
+ClosingOutcome solve_closing(const contact::PreparedProblem& whole, double tolerance, const PartSolve& solve, VecX& r) {
   const contact::ContactProblem& problem = whole.problem();
   const std::vector<double> maps = law_maps(whole, r);
-  Islands islands = unsolved(whole.islands(), maps, tolerance);
-  if (largest(islands) < k_least_contacts || !r.allFinite()) return islands;
+  ClosingOutcome outcome{unsolved(whole.islands(), maps, tolerance), 0, {}};
+  const Islands& islands = outcome.unsolved;
+  if (largest(islands) < k_least_contacts || !r.allFinite()) return outcome;
   const std::vector<std::size_t> together = largest_parts(problem, islands, r, maps);
   bool is_changed = false;
   for (std::size_t k = 0; k < islands.size(); ++k) {
@@ -153,11 +166,14 @@ Islands solve_closing(const contact::PreparedProblem& whole, double tolerance, c
     if (island.size() < k_least_contacts || !falls_apart(together[k], island.size())) continue;
     const contact::ContactProblem part = contact::select(problem, island);
     VecX r_part = impulses_of(r, island);
-    solve_apart(contact::PreparedProblem(part), tolerance, solve, r_part);
+    const Rounds rounds = solve_apart(contact::PreparedProblem(part), tolerance, solve, r_part);
+    outcome.iterations = std::max(outcome.iterations, rounds.iterations);
+    merge_history(rounds.history, outcome.history);
     put(r_part, island, r);
     is_changed = true;
   }
-  return is_changed ? unsolved(whole.islands(), law_maps(whole, r), tolerance) : islands;
+  if (is_changed) outcome.unsolved = unsolved(whole.islands(), law_maps(whole, r), tolerance);
+  return outcome;
 }
 
 }  // namespace nilas::solvers

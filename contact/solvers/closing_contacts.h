@@ -15,14 +15,22 @@
 
 namespace nilas::solvers {
 
-/// Solves a part of a problem from a guess.
-using PartSolve = std::function<contact::ContactSolution(const contact::PreparedProblem& part, const VecX& guess)>;
+/// Solves a part of an island from a guess. `done`: the iterations that the island took so far.
+using PartSolve =
+    std::function<contact::ContactSolution(const contact::PreparedProblem& part, const VecX& guess, int done)>;
+
+/// What the rounds leave and what they took. Each island is counted alone, so that many islands do not use up what one
+/// of them may take.
+struct ClosingOutcome {
+  std::vector<std::vector<int>> unsolved;  ///< islands of the whole with a contact above the tolerance or not a number
+  int iterations = 0;                      ///< of the island that took most
+  std::vector<double> history;             ///< of all islands together, as merge_history puts it
+};
 
 /// Replaces impulses by those that `solve` finds for the closing contacts, where these fall apart: of an unsolved
 /// island of 200 contacts or more, at most a tenth may hang together. Ends at the first part that is not solved.
-/// Returns the islands of the whole with a contact whose law_map is above the tolerance [m/s] or not a number.
-std::vector<std::vector<int>> solve_closing(const contact::PreparedProblem& whole, double tolerance,
-                                            const PartSolve& solve, VecX& r);
+/// The tolerance is of law_map [m/s].
+ClosingOutcome solve_closing(const contact::PreparedProblem& whole, double tolerance, const PartSolve& solve, VecX& r);
 
 /// The impulses of some contacts.
 VecX impulses_of(const VecX& r, const std::vector<int>& contacts);

@@ -45,12 +45,12 @@ contact::ContactProblem row_of_bodies(int count, double speed) { return rows_of_
 /// The sizes of the parts that are solved, in turn.
 std::vector<int> sizes_of_parts(const contact::ContactProblem& problem) {
   std::vector<int> sizes;
-  const PartSolve solve = [&](const contact::PreparedProblem& part, const VecX& guess) {
+  const PartSolve solve = [&](const contact::PreparedProblem& part, const VecX& guess, int) {
     sizes.push_back(part.problem().num_contacts());
     return contact::find_solver("newton").make({.tolerance = k_tolerance})->solve(part, guess);
   };
   VecX r = VecX::Zero(contact::row_of(problem.num_contacts()));
-  EXPECT_TRUE(solve_closing(contact::PreparedProblem(problem), k_tolerance, solve, r).empty());
+  EXPECT_TRUE(solve_closing(contact::PreparedProblem(problem), k_tolerance, solve, r).unsolved.empty());
   return sizes;
 }
 
@@ -61,12 +61,12 @@ TEST(ClosingContacts, AreFoundOneAfterTheOther) {
   const contact::ContactProblem row = row_of_bodies(2000, 50);
   const contact::PreparedProblem whole(row);
   std::vector<int> sizes;
-  const PartSolve solve = [&](const contact::PreparedProblem& part, const VecX& guess) {
+  const PartSolve solve = [&](const contact::PreparedProblem& part, const VecX& guess, int) {
     sizes.push_back(part.problem().num_contacts());
     return contact::find_solver("newton").make({.tolerance = k_tolerance})->solve(part, guess);
   };
   VecX r = VecX::Zero(contact::row_of(row.num_contacts()));
-  EXPECT_TRUE(solve_closing(whole, k_tolerance, solve, r).empty());
+  EXPECT_TRUE(solve_closing(whole, k_tolerance, solve, r).unsolved.empty());
   std::vector<int> expected(9);
   std::iota(expected.begin(), expected.end(), 1);
   EXPECT_EQ(sizes, expected);
@@ -87,12 +87,12 @@ TEST(ClosingContacts, OfEachIslandAreFoundAlone) {
 TEST(ClosingContacts, OfAJamAreLeftTogether) {
   const contact::ContactProblem raft = test::raft(24, 0.3, 1, 1);
   const contact::PreparedProblem whole(raft);
-  const PartSolve solve = [](const contact::PreparedProblem& part, const VecX&) {
+  const PartSolve solve = [](const contact::PreparedProblem& part, const VecX&, int) {
     ADD_FAILURE() << "a part of " << part.problem().num_contacts() << " contacts";
     return contact::ContactSolution();
   };
   VecX r = VecX::Zero(contact::row_of(raft.num_contacts()));
-  EXPECT_EQ(solve_closing(whole, k_tolerance, solve, r), whole.islands());
+  EXPECT_EQ(solve_closing(whole, k_tolerance, solve, r).unsolved, whole.islands());
   EXPECT_TRUE(r.isZero(0));
 }
 
@@ -100,12 +100,12 @@ TEST(ClosingContacts, EndAtAPartThatIsNotSolved) {
   const contact::ContactProblem row = row_of_bodies(2000, 50);
   const contact::PreparedProblem whole(row);
   int calls = 0;
-  const PartSolve solve = [&](const contact::PreparedProblem& part, const VecX& guess) {
+  const PartSolve solve = [&](const contact::PreparedProblem& part, const VecX& guess, int) {
     ++calls;
     return contact::find_solver("newton").make({.tolerance = k_tolerance, .max_iterations = 0})->solve(part, guess);
   };
   VecX r = VecX::Zero(contact::row_of(row.num_contacts()));
-  EXPECT_EQ(solve_closing(whole, k_tolerance, solve, r).size(), 1u);
+  EXPECT_EQ(solve_closing(whole, k_tolerance, solve, r).unsolved.size(), 1u);
   EXPECT_EQ(calls, 1);
 }
 
@@ -124,6 +124,17 @@ TEST(ClosingContacts, OfAFieldAreSolvedApart) {
   EXPECT_LE((apart.v - together.v).cwiseAbs().maxCoeff(), 1e-6);
   const contact::ContactSolution shared = with(2);
   EXPECT_EQ(apart.r, shared.r);
+}
+
+/// Iterations are those of the island that takes most, so a field that is wider needs no more of them.
+TEST(ClosingContacts, OfManyIslandsTakeNoMoreIterations) {
+  const AutoSolver one({.shared = {.tolerance = k_tolerance}});
+  const contact::ContactSolution alone = one.solve(row_of_bodies(300, 50), VecX());
+  ASSERT_EQ(alone.status, contact::SolveStatus::converged) << alone.message;
+  const AutoSolver limited({.shared = {.tolerance = k_tolerance, .max_iterations = 3 * alone.iterations}});
+  const contact::ContactSolution wide = limited.solve(rows_of_bodies(std::vector<int>(12, 300), 50), VecX());
+  EXPECT_EQ(wide.status, contact::SolveStatus::converged) << wide.message;
+  EXPECT_EQ(wide.iterations, alone.iterations) << wide.message;
 }
 
 }  // namespace closing_contacts_test
