@@ -19,7 +19,8 @@ struct CorrectionSettings {
   /// Uses newton-order-free instead of Gauss-Seidel. The bits then do not depend on the order of contacts and bodies. A
   /// mirror changes only signs.
   bool order_free = false;
-  /// Finishes by newton what the sweeps leave short of the tolerance. Otherwise the sweeps' result stays.
+  /// Finishes by newton, in large groups on the bodies, what the sweeps leave short of the tolerance. Otherwise the
+  /// sweeps' result stays.
   bool finish = false;
 };
 
@@ -28,7 +29,7 @@ struct PositionCorrection {
   int contacts = 0;       ///< number of contacts that took part
   bool converged = true;  ///< the natural map of u_N against the required speeds is at most the tolerance
   int sweeps = 0;         ///< largest number of sweeps of any group, or of steps with `order_free`
-  int finished = 0;       ///< number of groups that newton finished
+  int finished = 0;       ///< number of groups that the sweeps left short and that were finished
 };
 
 /// Solves, without friction and from rest, for the smallest motion with
@@ -36,7 +37,8 @@ struct PositionCorrection {
 ///   u_N >= -gap/h for gap > 0, u_N >= 0 for the other closed points,
 /// so that a body pushed out of one body is not pushed into the next. The method is projected Gauss-Seidel on the
 /// normal rows in mass-scaled velocities (solvers/shared/pgs_rows.h), or a frictionless ContactProblem. Sweeps need
-/// thousands of rounds where heavy bodies press through light ones; there newton takes a few factorisations. Bodies
+/// thousands of rounds where heavy bodies press through light ones; there newton takes a few factorisations, or the
+/// interior point on the bodies (solvers/body_ladder.h) a few iterations. Bodies
 /// form groups that are joined by contact points, but not through immovable bodies. Points that crush or are
 /// elastic take no part. Groups without a depth above slop + tolerance h/erp are left out. `points` are those from
 /// which `contacts` was assembled.

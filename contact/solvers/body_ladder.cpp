@@ -11,6 +11,7 @@
 #include "contact/problem/row_of.h"
 #include "contact/solvers/bodies/body_system.h"
 #include "contact/solvers/bodies/interior_on_bodies.h"
+#include "contact/solvers/closing_contacts.h"
 #include "contact/solvers/newton.h"
 #include "contact/solvers/nsgs.h"
 
@@ -257,6 +258,24 @@ class BodyClimb {
   BodyOutcome best_;
 };
 
+/// Products of blocks from which on it is asked whether W is factorised in less time.
+constexpr double k_many_products = 5e5;
+
+/// Whether a factorisation of W takes less time than one of the bodies. In W contacts that stay open are left out. It
+/// has k rows of 3 x 3 blocks, one for each contact that closes, where a body has one of 6 x 6. So it takes k^3 times
+/// as many products as the bodies that these contacts join, each of an eighth of the work.
+bool is_quicker_on_w(const contact::PreparedProblem& island, const BodyIsland& bodies, const NodePlan& plan,
+                     const VecX& r) {
+  const std::vector<char> closes = closing_contacts(island, r);
+  std::vector<char> is_joined(static_cast<std::size_t>(bodies.num_nodes()));
+  for (int c = 0; c < bodies.num_contacts(); ++c)
+    for (int s = bodies.first_side(c); closes[c] != 0 && s < bodies.first_side(c + 1); ++s)
+      is_joined[bodies.node(s)] = 1;
+  const auto contacts = static_cast<double>(std::count(closes.begin(), closes.end(), 1));
+  const auto nodes = static_cast<double>(std::count(is_joined.begin(), is_joined.end(), 1));
+  return num_products(bodies, closes) * std::pow(contacts / std::max(nodes, 1.0), 3) < 8 * plan.products;
+}
+
 }  // namespace
 
 bool fits_bodies(const contact::PreparedProblem& island) {
@@ -284,6 +303,7 @@ std::optional<BodyOutcome> solve_on_bodies(const contact::PreparedProblem& islan
   const auto plan = plan_nodes(bodies);
   if (!plan) return {};
   const VecX start = guess.size() > 0 ? guess : VecX(VecX::Zero(contact::row_of(bodies.num_contacts())));
+  if (plan->products > k_many_products && is_quicker_on_w(island, bodies, *plan, start)) return {};
   return BodyClimb(island, bodies, *plan, start, settings, budget).run();
 }
 

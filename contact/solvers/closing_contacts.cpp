@@ -146,6 +146,12 @@ Rounds solve_apart(const contact::PreparedProblem& island, double tolerance, con
 
 }  // namespace
 
+std::vector<char> closing_contacts(const contact::PreparedProblem& problem, const VecX& r) {
+  std::vector<char> closes(static_cast<std::size_t>(problem.problem().num_contacts()));
+  mark_closing(r, law_maps(problem, r), closes);
+  return closes;
+}
+
 VecX impulses_of(const VecX& r, const std::vector<int>& contacts) {
   VecX out(contact::row_of(contacts.size()));
   for (std::size_t i = 0; i < contacts.size(); ++i)

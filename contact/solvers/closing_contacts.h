@@ -32,6 +32,9 @@ struct ClosingOutcome {
 /// The tolerance is of law_map [m/s].
 ClosingOutcome solve_closing(const contact::PreparedProblem& whole, double tolerance, const PartSolve& solve, VecX& r);
 
+/// Marks the contacts that have an impulse or whose law does not hold with these impulses.
+std::vector<char> closing_contacts(const contact::PreparedProblem& problem, const VecX& r);
+
 /// The impulses of some contacts.
 VecX impulses_of(const VecX& r, const std::vector<int>& contacts);
 

@@ -203,6 +203,28 @@ TEST(PositionCorrection, NewtonFinishesWhatSweepsLeaveShort) {
   for (std::size_t k = 0; k < exact.size(); ++k) EXPECT_NEAR(finished[k], exact[k], 1e-8);
 }
 
+/// Each of many cubes must leave the one before at its own speed, so that the last one moves at the sum of them all.
+TEST(PositionCorrection, LargeGroupsAreFinishedOnTheirBodies) {
+  RandomStream random(5, "depths");
+  std::vector<double> depths(400);
+  for (double& depth : depths) depth = random.uniform(0.002, 0.02);
+  Row row(depths);
+  row.settings.tolerance = 1e-9;
+  row.settings.max_sweeps = 50;
+  PositionCorrection result;
+  row.speeds(&result);
+  ASSERT_FALSE(result.converged);
+  row.settings.finish = true;
+  const auto speeds = row.speeds(&result);
+  EXPECT_TRUE(result.converged);
+  EXPECT_EQ(result.finished, 1);
+  double sum = 0;
+  for (std::size_t k = 0; k < depths.size(); ++k) {
+    sum += row.settings.erp * (depths[k] - row.settings.slop) / k_step;
+    EXPECT_NEAR(speeds[k + 1], sum, 1e-6 * sum) << k;
+  }
+}
+
 /// Between two walls that are too near no motion parts the bodies: what the sweeps found stays, and it says so.
 TEST(PositionCorrection, OverlapsThatCannotPartKeepTheResultOfTheSweeps) {
   Row row({0.004, 0.004});

@@ -1,6 +1,7 @@
 #include "contact/solvers/bodies/node_plan.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 #include "contact/problem/block_fill.h"
@@ -10,31 +11,37 @@ namespace nilas::solvers {
 namespace {
 
 constexpr std::size_t k_most_blocks = 1000000;
-/// A jam of 3900 floes has 5e4 products. Where there are many more, W is factorised in less time, since open contacts
-/// are not part of it.
-constexpr double k_most_products = 5e5;
+constexpr double k_most_products = 2e7;
 /// What a column takes besides its products of blocks, in such products.
 constexpr double k_work_of_column = 8;
 /// Of all products, the most in a task of several columns.
 constexpr double k_share_of_task = 1.0 / 12;
 
-/// The nodes that each node shares a contact with, itself among them, as the rows of a matrix.
-void pattern_of(const BodyIsland& island, std::vector<int>& row_start, std::vector<int>& column) {
+/// A square pattern by rows.
+struct Pattern {
+  std::vector<int> row_start{0}, column;
+};
+
+/// The nodes that each node shares a marked contact with, itself among them.
+Pattern pattern_of(const BodyIsland& island, const std::vector<char>& joins) {
+  Pattern pattern;
   std::vector<std::vector<int>> lists(static_cast<std::size_t>(island.num_nodes()));
   for (int k = 0; k < island.num_nodes(); ++k) lists[k].push_back(k);
-  for (int c = 0; c < island.num_contacts(); ++c)
+  for (int c = 0; c < island.num_contacts(); ++c) {
+    if (joins[c] == 0) continue;
     for (int s = island.first_side(c); s < island.first_side(c + 1); ++s)
       for (int t = s + 1; t < island.first_side(c + 1); ++t) {
         lists[island.node(s)].push_back(island.node(t));
         lists[island.node(t)].push_back(island.node(s));
       }
-  row_start.assign(1, 0);
+  }
   for (auto& list : lists) {
     std::sort(list.begin(), list.end());
     list.erase(std::unique(list.begin(), list.end()), list.end());
-    column.insert(column.end(), list.begin(), list.end());
-    row_start.push_back(static_cast<int>(column.size()));
+    pattern.column.insert(pattern.column.end(), list.begin(), list.end());
+    pattern.row_start.push_back(static_cast<int>(pattern.column.size()));
   }
+  return pattern;
 }
 
 /// Place of the block of two nodes given by their places in the order.
@@ -44,11 +51,16 @@ int find_block(const NodePlan& plan, int a, int b) {
   return static_cast<int>(std::lower_bound(first, last, std::max(a, b)) - plan.rows.begin());
 }
 
-/// Products of two blocks below the diagonal in one elimination.
-double num_products(const NodePlan& plan) {
+/// Nothing where too much is filled.
+std::optional<contact::BlockFill> fill_of(const Pattern& pattern) {
+  if (!contact::fills_at_most(k_most_blocks, pattern.row_start, pattern.column)) return {};
+  return contact::block_fill(pattern.row_start, pattern.column, contact::DenseTail::none);
+}
+
+double products_of(const contact::BlockFill& fill) {
   double sum = 0;
-  for (int j = 0; j < plan.size(); ++j) {
-    const auto m = static_cast<double>(plan.start[j + 1] - plan.start[j]);
+  for (int j = 0; j < fill.size(); ++j) {
+    const auto m = static_cast<double>(fill.upper[j].size());
     sum += 0.5 * m * (m + 1);
   }
   return sum;
@@ -133,20 +145,25 @@ void find_sides(const BodyIsland& island, NodePlan& plan) {
 }  // namespace
 
 std::optional<NodePlan> plan_nodes(const BodyIsland& island) {
-  std::vector<int> row_start, column;
-  pattern_of(island, row_start, column);
-  if (!contact::fills_at_most(k_most_blocks, row_start, column)) return {};
-  contact::BlockFill fill = contact::block_fill(row_start, column, contact::DenseTail::none);
+  const std::vector<char> all(static_cast<std::size_t>(island.num_contacts()), 1);
+  std::optional<contact::BlockFill> fill = fill_of(pattern_of(island, all));
+  if (!fill) return {};
   NodePlan plan;
-  plan.place = std::move(fill.place);
-  plan.source = std::move(fill.source);
-  plan.start = std::move(fill.upper.start);
-  plan.rows = std::move(fill.upper.columns);
-  if (num_products(plan) > k_most_products) return {};
+  plan.products = products_of(*fill);
+  if (plan.products > k_most_products) return {};
+  plan.place = std::move(fill->place);
+  plan.source = std::move(fill->source);
+  plan.start = std::move(fill->upper.start);
+  plan.rows = std::move(fill->upper.columns);
   find_targets(plan);
   find_tasks(plan);
   find_sides(island, plan);
   return plan;
+}
+
+double num_products(const BodyIsland& island, const std::vector<char>& joins) {
+  const auto fill = fill_of(pattern_of(island, joins));
+  return fill ? products_of(*fill) : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace nilas::solvers

@@ -4,9 +4,10 @@
 usage: measure.py PROGRAM CLOCK FOLDER FLOES ...     (through ./dev bench size)
 
 PROGRAM is nilas, CLOCK the library processor_clock. Each field is a strip of broken ice, 20 floes deep and as long as
-it takes, that drifts onto a wall. So the share of the floes that are jammed does not depend on the number. The states of
-all bodies are stored at the start and at the end. FOLDER/size.csv gets a row per field; what a run that fails has said
-goes to standard error, and the exit code is then 1. Times are of the processor, on one thread.
+it takes, that drifts onto a wall. So the share of the floes that are jammed does not depend on the number. With LAYOUT=closed it
+is a square of water that floes fill from wall to wall. The states of all bodies are stored at the start and at the
+end. FOLDER/size.csv, or FOLDER/closed.csv, gets a row per field; what a run that fails has said goes to standard error,
+and the exit code is then 1. Times are of the processor, on one thread.
 """
 import csv
 import os
@@ -17,9 +18,11 @@ import sys
 from pathlib import Path
 
 STEPS = int(os.environ.get("STEPS", "6"))
+LAYOUT = os.environ.get("LAYOUT", "strip")
+NAME = "size" if LAYOUT == "strip" else LAYOUT
 DEPTH = 20         # floes between sea and wall
 FLOE = 10.0        # side of the square of water that each floe has [m]
-CONCENTRATION = 0.98
+CONCENTRATION = {"strip": 0.98, "closed": 1.0}[LAYOUT]
 SPREAD = 0.3       # standard deviation of the floe size over its mean
 SPEED = 0.5        # of the drift [m/s]
 STEP = 0.1         # [s]
@@ -28,10 +31,11 @@ PHASES = ("detection", "assembly", "hydro", "solver", "integration", "output")
 
 def scene(floes: int) -> str:
     """The scene of so many floes."""
-    length, width = FLOE * DEPTH, FLOE * round(floes / DEPTH)
+    depth = DEPTH if LAYOUT == "strip" else round(floes ** 0.5)
+    length, width = FLOE * depth, FLOE * round(floes / depth)
     mean = FLOE * (CONCENTRATION / (1 + SPREAD ** 2)) ** 0.5
     end = STEP * STEPS
-    return f"""<scene version="1" name="size-{floes}">
+    return f"""<scene version="1" name="{NAME}-{floes}">
   <time step="{STEP}" end="{end:.10g}"/>
   <contact solver="auto" tolerance="1e-4"><friction between="* *" kinetic="0.3"/></contact>
   <water><current velocity="{SPEED} 0 0"/></water>
@@ -50,9 +54,9 @@ def scene(floes: int) -> str:
 
 def run(program: Path, clock: Path, folder: Path, floes: int) -> tuple[float, float]:
     """Runs the scene into a folder; gives the processor time [s] and the peak of the resident memory [B]."""
-    file = folder / f"size-{floes}.xml"
+    file = folder / f"{NAME}-{floes}.xml"
     file.write_text(scene(floes), encoding="utf-8")
-    command = [program, "run", file, "--out", folder / f"size-{floes}", "--force", "--quiet", "--threads", "1"]
+    command = [program, "run", file, "--out", folder / f"{NAME}-{floes}", "--force", "--quiet", "--threads", "1"]
     child = subprocess.Popen(command, env={**os.environ, "LD_PRELOAD": str(clock)})
     _, status, used = os.wait4(child.pid, 0)
     child.returncode = os.waitstatus_to_exitcode(status)
@@ -79,7 +83,7 @@ def row(folder: Path, seconds: float, peak: float) -> dict[str, object]:
         "largest_contacts": max(int(step["contacts"]) for step in steps),
         "islands": steps[-1]["islands"],
         "start_s": round(seconds - in_steps, 2),
-        "first_detection_ms": round(ms["detection"][0], 1),
+        **{f"first_{phase}_ms": round(ms[phase][0], 1) for phase in ("detection", "solver", "integration")},
         **{f"{phase}_ms": round(time, 2) for phase, time in later.items()},
         "state_ms": round(ms["output"][-1] - later["output"], 1),
         "step_us_per_floe": round(1e3 * sum(later.values()) / floes, 2),
@@ -109,9 +113,9 @@ def main() -> int:
             print(failure, file=sys.stderr)
             failed = True
             continue
-        rows.append(row(folder / f"size-{floes}", seconds, peak))
+        rows.append(row(folder / f"{NAME}-{floes}", seconds, peak))
         print(", ".join(f"{key} {value}" for key, value in rows[-1].items()), flush=True)
-        with (folder / "size.csv").open("w", newline="", encoding="utf-8") as file:
+        with (folder / f"{NAME}.csv").open("w", newline="", encoding="utf-8") as file:
             writer = csv.DictWriter(file, list(rows[0]), lineterminator="\n")
             writer.writeheader()
             writer.writerows(rows)

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "contact/measure/measure.h"
+#include "contact/problem/row_of.h"
 #include "contact/solvers/body_ladder.h"
 #include "tests/contact/fclib/recorded_problems.h"
 #include "tests/contact/solvers/bodies/island_with_vessel.h"
@@ -194,6 +195,26 @@ TEST(BodyLadder, LeavesWhatItDoesNotKnowToOthers) {
     problem.add_moment(0, 0.1 * MatX(problem.jacobian_a(0)), 0.1 * MatX(problem.jacobian_b(0)), 0.1, 9999);
   });
   expect_refused([](auto& problem) { problem = {}; });
+}
+
+/// What one iteration on the bodies of a raft of 80 x 80 floes finds, from unit impulses at the first contacts.
+std::optional<BodyOutcome> after_one_iteration(const contact::ContactProblem& raft, int closing) {
+  const contact::SolverSettings shared{.tolerance = 1e-12, .max_iterations = 1};
+  VecX guess = VecX::Zero(contact::row_of(raft.num_contacts()));
+  for (int c = 0; c < closing; ++c) guess[contact::row_of(c)] = 1;
+  return solve_on_bodies(contact::PreparedProblem(raft), guess, shared, Budget(shared));
+}
+
+/// Where all contacts of a large raft carry something, W would have many rows for each body. Where a few do, it leaves
+/// out all others.
+TEST(BodyLadder, LeavesLargeIslandsToWWhereFewContactsClose) {
+  const contact::ContactProblem raft = test::raft(80, 0.3, 1, 1);
+  ASSERT_GT(raft.num_contacts(), 20000);
+  EXPECT_TRUE(after_one_iteration(raft, raft.num_contacts()));
+  contact::ContactProblem open = raft;
+  for (int c = 0; c < open.num_contacts(); ++c) open.w[contact::row_of(c)] = 1e6;
+  EXPECT_FALSE(after_one_iteration(open, 4));
+  EXPECT_TRUE(after_one_iteration(open, open.num_contacts()));
 }
 
 }  // namespace interior_on_bodies_test
