@@ -4,10 +4,10 @@
 usage: measure.py PROGRAM CLOCK FOLDER FLOES ...     (through ./dev bench size)
 
 PROGRAM is nilas, CLOCK the library processor_clock. Each field is a strip of broken ice, 20 floes deep and as long as
-it takes, that drifts onto a wall. So the share of the floes that are jammed does not depend on the number. With LAYOUT=closed it
-is a square of water that floes fill from wall to wall. The states of all bodies are stored at the start and at the
-end. FOLDER/size.csv, or FOLDER/closed.csv, gets a row per field; what a run that fails has said goes to standard error,
-and the exit code is then 1. Times are of the processor, on one thread.
+it takes, that drifts onto a wall. So the share of the floes that are jammed does not depend on the number. With
+LAYOUT=closed it is a square of water that floes fill from wall to wall. The states of all bodies are stored at the
+start and at the end. FOLDER/size.csv, or FOLDER/closed.csv, gets a row per field; what a run that fails has said goes
+to standard error, and the exit code is then 1. Times are of the processor, on one thread.
 """
 import csv
 import os
