@@ -34,8 +34,8 @@ void follow(const bodies::Bodies& bodies, std::vector<WetBody<Result>>& list, co
       list[b] = {bodies.shape[b], prepare(*bodies.shape[b]), Result{}};
 }
 
-/// The surface of a shape on which water acts [m, in B]. The faces of a box are triangles around their middles: with
-/// one diagonal per face, loads on a body that spins or lies in waves would have a side.
+/// The surface of a shape on which water acts [m, in B]. The faces of a box or cylinder are triangles around their
+/// middles: with one diagonal per face, loads on a body that spins or lies in waves would have a side.
 geometry::TriangleMesh water_surface(const geometry::Shape& shape);
 /// Prepares a prism from its outline, and a box, cylinder or mesh from its surface. Empty for other shapes.
 WetGeometry prepare_geometry(const geometry::Shape& shape);

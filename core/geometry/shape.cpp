@@ -78,12 +78,18 @@ Shape cylinder_shape(double radius, double height) {
   s.kind = ShapeKind::cylinder;
   s.radius = radius;
   s.half_height = 0.5 * height;
-  constexpr int k_sides = 64;  // corners then stand 0.08 % of the radius outside the true circle
+  constexpr int k_quarter = 16, k_sides = 4 * k_quarter;  // corners then stand 0.08 % of the radius outside the circle
   constexpr double k_step = 2 * k_pi / k_sides;
   const double corner_radius = radius * std::sqrt(k_step / std::sin(k_step));  // polygon of the circle's area
+  // From one quarter of the cosine, so that corners which are images of each other have the same bits.
+  const auto cosine = [](int i) {
+    const int k = i % k_sides, past = k <= 2 * k_quarter ? k : k_sides - k;
+    if (past == k_quarter) return 0.0;
+    return past < k_quarter ? std::cos(k_step * past) : -std::cos(k_step * (2 * k_quarter - past));
+  };
   std::vector<Vec2> outline;
   for (int i = 0; i < k_sides; ++i)
-    outline.emplace_back(corner_radius * std::cos(k_step * i), corner_radius * std::sin(k_step * i));
+    outline.emplace_back(corner_radius * cosine(i), corner_radius * cosine(i + k_sides - k_quarter));
   s.surface = convex_prism_surface(outline, s.half_height);
   s.bounding_radius = std::max(std::hypot(radius, s.half_height), reach(s.surface.vertices));
   return s;

@@ -58,7 +58,9 @@ TEST(Symmetry, MirroredFloesAndMeshes) {
   for (const auto& outline : {concave_outline(), forked_outline()})
     shapes.emplace_back(geometry::prism_shape(outline, 0.5), geometry::prism_shape(mirrored(outline, 2), 0.5));
   shapes.emplace_back(geometry::mesh_shape(lofted_hull(), {}), geometry::mesh_shape(mirrored(lofted_hull()), {}));
-  shapes.emplace_back(geometry::box_shape({1.2, 0.7, 0.5}), geometry::box_shape({1.2, 0.7, 0.5}));  // its own image
+  // These are their own images.
+  shapes.emplace_back(geometry::box_shape({1.2, 0.7, 0.5}), geometry::box_shape({1.2, 0.7, 0.5}));
+  shapes.emplace_back(geometry::cylinder_shape(0.4, 0.7), geometry::cylinder_shape(0.4, 0.7));
   hydro::Water water;
   water.current = {0.3, 0, 0};
   const auto buoyancy = hydro::make_buoyancy(water, 1), drag = hydro::make_drag(water, {}, 1, true);
@@ -72,6 +74,23 @@ TEST(Symmetry, MirroredFloesAndMeshes) {
         EXPECT_EQ(mirrored_axial(a.torque), b.torque);
       }
     }
+  }
+}
+
+/// Drag on a body that spins about its axis does not depend on the sense of the spin, to the last bit.
+TEST(Symmetry, DragOnASpinningCylinderHasNoSense) {
+  const auto drag = hydro::make_drag({}, {}, 1, true);
+  for (const double lean : {0.0, 0.3}) {
+    const auto torque = [&](double rate) {
+      bodies::Bodies bodies;
+      const Quat q(Eigen::AngleAxisd(lean, Vec3::UnitX()));
+      add_body(bodies, geometry::cylinder_shape(0.4, 0.7), {q, {0, 0, 0.1}});
+      bodies.w_GB[0] = rate * (q * Vec3::UnitZ());
+      return wrench_on(bodies, *drag).torque;
+    };
+    const Vec3 one = torque(2), other = torque(-2);
+    EXPECT_LT(one.z(), 0);
+    EXPECT_EQ(one.z(), -other.z());
   }
 }
 
