@@ -43,6 +43,17 @@ def main(arguments: Sequence[str] | None = None) -> int:
     0
     """
     try:
+        return carried_out(arguments)
+    except MemoryError:
+        warn(NO_MEMORY)
+        return 4
+    finally:
+        settle()
+
+
+def carried_out(arguments: Sequence[str] | None = None) -> int:
+    """As ``main()``, but raises ``MemoryError``: its caller may have to end at once."""
+    try:
         return _carry_out(option_parser().parse_args(arguments))
     except StudyError as error:
         warn(error)
@@ -51,9 +62,6 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return _DONE
     except OSError as error:
         warn(f"error: {error.filename or ''}: {error.strerror}")
-        return 4
-    except MemoryError:
-        warn(NO_MEMORY)
         return 4
     except KeyboardInterrupt:
         return INTERRUPTED

@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+from nilas.study.carry_out.named_file import naming
 from nilas.study.carry_out.record import VOLATILE, parts_of
 from nilas.study.describe.faults import listed, nearest
 from nilas.study.describe.study import Response, Study
@@ -69,7 +70,7 @@ def outputs_of(folder: Path, *, is_whole: bool = True) -> Outputs | None:
         return None
     columns = {}
     for file in folder.glob("*.csv"):
-        with open(file, newline="", encoding="utf-8") as stream:
+        with naming(file), open(file, newline="", encoding="utf-8") as stream:
             columns[file.name] = next(csv.reader(stream), [])
     return Outputs(summary, columns, is_whole)
 

@@ -10,6 +10,7 @@ import subprocess
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
+from nilas.study.carry_out.named_file import naming
 from nilas.study.describe.faults import StudyError
 
 
@@ -31,7 +32,7 @@ def find_program(named: str | None) -> Path:
 def file_hash(path: Path) -> str:
     """SHA-256 of a file."""
     digest = hashlib.sha256()
-    with open(path, "rb") as stream:
+    with naming(path), open(path, "rb") as stream:
         while block := stream.read(1 << 20):
             digest.update(block)
     return digest.hexdigest()
@@ -66,9 +67,11 @@ def scene_hash(scene: Path) -> str:
 
     A study so sees that a hull or a table of currents has changed since its runs were made.
     """
-    digest = hashlib.sha256(scene.read_bytes())
+    with naming(scene):
+        text = scene.read_bytes()
+    digest = hashlib.sha256(text)
     try:
-        root = ElementTree.parse(scene).getroot()
+        root = ElementTree.fromstring(text)
     except ElementTree.ParseError:
         # The program says what is wrong, in its own words.
         return digest.hexdigest()

@@ -10,6 +10,8 @@ from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import Any
 
+from nilas.study.carry_out.named_file import naming
+
 RECORD = "record.json"  # written last: a run with this file is finished
 BEGUN = "begun.json"  # written first, and removed at the end
 # Keys of summary.json that differ from run to run of the same scene.
@@ -53,13 +55,10 @@ def record_of(text: str) -> Record:
 def write_whole(path: Path, text: str) -> None:
     """Writes a file so that others see all of it or nothing, even after a crash."""
     other = path.with_name(path.name + ".part")
-    try:
-        with open(other, "w", encoding="utf-8") as stream:
-            stream.write(text)
-            stream.flush()
-            os.fsync(stream.fileno())
-    except OSError as error:  # of an open file, which does not know its name
-        raise OSError(error.errno, error.strerror, str(path)) from error
+    with naming(path), open(other, "w", encoding="utf-8") as stream:
+        stream.write(text)
+        stream.flush()
+        os.fsync(stream.fileno())
     os.replace(other, path)
     _flush_names(path.parent)
 

@@ -9,6 +9,7 @@ from collections.abc import Iterable
 from dataclasses import replace
 from pathlib import Path
 
+from nilas.study.carry_out.named_file import text_in
 from nilas.study.carry_out.record import RECORD, Record, record_of, write_whole
 from nilas.study.describe.plan import Plan, Run
 from nilas.study.describe.points import Point
@@ -27,7 +28,7 @@ class Records:
         self.plan = plan
         self._lines: dict[str, str] = {}
         for file in sorted(self.parts_folder.glob(f"{part or 'part-*'}.jsonl")):
-            for line in file.read_text(encoding="utf-8").splitlines():
+            for line in text_in(file).splitlines():
                 self._lines[_run_name(line)] = line
 
     @property
@@ -60,7 +61,7 @@ class Records:
         if self._lines.pop(run.name, None) is None:
             return
         for part in self.parts_folder.glob("part-*.jsonl"):
-            lines = part.read_text(encoding="utf-8").splitlines()
+            lines = text_in(part).splitlines()
             kept = [line for line in lines if _run_name(line) != run.name]
             if len(kept) < len(lines):
                 write_whole(part, "".join(line + "\n" for line in kept))
