@@ -21,8 +21,6 @@ constexpr double k_relative_in_flight = 1e-15, k_relative_in_contact = 1e-13;
 /// Approach below this speed is inelastic and ends a series of bounces. It is far above the speed of a fall through the
 /// rounding of gaps.
 constexpr double k_inelastic_speed = 2e-5;  // [m/s]
-/// Points within this distance belong to one impact [m].
-constexpr double k_touch = 2e-9;
 /// An unloaded point of a body that rests on others may sink by this before it carries load [m].
 constexpr double k_unloaded_slack = 1e-12;
 constexpr int k_events_to_trust = 5, k_most_events = 200;  ///< counts of events at one instant
@@ -45,25 +43,6 @@ double rest_speed(double tolerance) {
 double gap_rounding(const Vec3& p) {
   constexpr double k_share = 3e-16;
   return k_share * (1 + p.norm());
-}
-
-/// Adds the events that make the difference between two lists of sustained contacts.
-void note_changes(double t, const std::vector<SustainedContact>& before, const std::vector<SustainedContact>& after,
-                  std::vector<ContactEvent>& events) {
-  const auto in = [](const std::vector<SustainedContact>& list, std::uint64_t key) {
-    return std::find_if(list.begin(), list.end(), [&](const SustainedContact& c) { return c.key == key; });
-  };
-  for (const auto& contact : after) {
-    const auto old = in(before, contact.key);
-    if (old == before.end())
-      events.push_back({t, ContactEventKind::rest, contact.a, contact.b, 0});
-    else if (old->grip != contact.grip)
-      events.push_back({t, contact.grip == Grip::sticks ? ContactEventKind::stick : ContactEventKind::slip, contact.a,
-                        contact.b, 0});
-  }
-  for (const auto& contact : before)
-    if (in(after, contact.key) == after.end())
-      events.push_back({t, ContactEventKind::release, contact.a, contact.b, 0});
 }
 
 std::optional<ReferenceVessel> moving_vessel(const WorldParts& parts) {
@@ -95,7 +74,8 @@ ReferenceIntegrator::ReferenceIntegrator(const scene::Scene& scene, int threads,
   impact_settings_.restitution_threshold = k_inelastic_speed;
   impact_settings_.stabilisation = {};
   const auto points = contacts_.detect(parts.bodies);
-  const auto closed = std::count_if(points.begin(), points.end(), [](const auto& c) { return c.gap <= k_touch; });
+  const auto closed =
+      std::count_if(points.begin(), points.end(), [](const auto& c) { return c.gap <= k_reference_touch; });
   if (closed > k_most_reference_contacts)
     throw InputError(
         fmt::format("{}: <contact integrator>: 'reference' does not take {} contacts at once, as the "
@@ -356,8 +336,9 @@ void ReferenceIntegrator::set_levels(const std::vector<detect::ContactPoint>& po
 /// Whether some point has sunk in while approaching: the integrator may step over a bounce shorter than its first step.
 bool ReferenceIntegrator::sunk() {
   const auto points = contacts_.detect(parts_.bodies);
-  return std::any_of(points.begin(), points.end(),
-                     [this](const detect::ContactPoint& c) { return c.gap < -k_touch && approach(c) < -rest_speed_; });
+  return std::any_of(points.begin(), points.end(), [this](const detect::ContactPoint& c) {
+    return c.gap < -k_reference_touch && approach(c) < -rest_speed_;
+  });
 }
 
 void ReferenceIntegrator::count_standstill(double t) {
@@ -369,19 +350,30 @@ void ReferenceIntegrator::count_standstill(double t) {
         fmt::format("at {:g} s integrator 'reference' finds more than {} events at one instant", t, k_most_events));
 }
 
-/// Handles an event: impulses where points close, then the decision which contacts stay closed, and how.
-void ReferenceIntegrator::settle(double t, ReferenceStep& step) {
+/// The contacts that an event ended although their states had been confirmed: whether the detector finds a point at the
+/// very end of its edge depends on rounding, and such a point must not begin again at the same instant.
+std::vector<std::uint64_t> ReferenceIntegrator::ended_by(const std::vector<int>& events) const {
+  std::vector<std::uint64_t> ended;
+  for (const int event : events)
+    if (contacts_.trusted() && event % 2 == 1) ended.push_back(contacts_.list()[event / 2].key);
+  return ended;
+}
+
+/// Handles an event: impulses where points close, then the decision which contacts stay closed, and how. Those with the
+/// keys `ended` do not.
+void ReferenceIntegrator::settle(double t, ReferenceStep& step, const std::vector<std::uint64_t>& ended) {
   count_standstill(t);
   bodies::Bodies& bodies = parts_.bodies;
   const auto points = contacts_.detect(bodies);
   std::vector<detect::ContactPoint> closed, resting;
   for (const auto& point : points)
-    if (point.gap <= k_touch) closed.push_back(point);
+    if (point.gap <= k_reference_touch) closed.push_back(point);
   const bool hit = std::any_of(closed.begin(), closed.end(),
                                [this](const detect::ContactPoint& c) { return approach(c) < -rest_speed_; });
   if (hit) impact(t, closed, step);
   for (const auto& point : closed)
-    if (std::abs(approach(point)) <= rest_speed_) resting.push_back(point);
+    if (std::abs(approach(point)) <= rest_speed_ && std::find(ended.begin(), ended.end(), point.key) == ended.end())
+      resting.push_back(point);
   const auto before = contacts_.list();
   contacts_.decide(bodies, free_loads(t), resting, t);
   if (standstill_ >= k_events_to_trust) contacts_.trust_states();
@@ -422,7 +414,7 @@ ReferenceStep ReferenceIntegrator::advance(double t0, double t1) {
     if (vessel_) vessel_->demand_regular(t);
     state_.add_account(y - accounted_, step.account);
     accounted_ = y;
-    if (enter_stretch(t, step) || !reached) settle(t, step);
+    if (enter_stretch(t, step) || !reached) settle(t, step, ended_by(stop.events));
   }
   step.contacts = static_cast<int>(contacts_.list().size());
   for (const SustainedContact& contact : contacts_.list()) step.met.push_back(contact.point);

@@ -48,7 +48,8 @@ class ReferenceIntegrator {
   void watch(double t, VecX& g);
   void begin_smooth_motion(double t0, double longest_step);
   numerics::OdeStop follow(double t1, VecX& y);
-  void settle(double t, ReferenceStep& step);
+  void settle(double t, ReferenceStep& step, const std::vector<std::uint64_t>& ended = {});
+  std::vector<std::uint64_t> ended_by(const std::vector<int>& events) const;
   bool enter_stretch(double t, ReferenceStep& step);
   void impact(double t, std::vector<detect::ContactPoint> points, ReferenceStep& step);
   void book(const ContactImpulses& impulses, const contact::Velocities& before, ReferenceAccount& account) const;

@@ -11,7 +11,6 @@
 #include "contact/measure/measure.h"
 #include "contact/problem/row_of.h"
 #include "core/base/error.h"
-#include "core/bodies/free_rotation.h"
 
 namespace nilas::sim {
 
@@ -19,61 +18,8 @@ namespace {
 
 /// Rate at which gap and speed of closed contacts are drawn back, against drift by rounding [1/s].
 constexpr double k_drift_rate = 10;
-/// Step of the difference quotients for the motion of contacts: a share of a radius, or an angle [rad]. The error of
-/// the difference, its square, is then similar to rounding.
-constexpr double k_probe = 1e-5;
 /// Reverse slip above this speed ends a state that began at rest; below it is rounding [m/s].
 constexpr double k_slip_slack = 1e-11;
-
-double probe_time(const bodies::Bodies& bodies) {
-  double rate = 0;
-  for (int k = 0; k < bodies.size(); ++k) {
-    if (!bodies.moves(k)) continue;
-    const auto b = static_cast<std::size_t>(k);
-    rate = std::max({rate, bodies.w_GB[b].norm(), bodies.v_GB[b].norm() / bodies.shape[b]->bounding_radius});
-  }
-  return rate > 0 ? k_probe / rate : 0;
-}
-
-const detect::ContactPoint* find(const std::vector<detect::ContactPoint>& points, std::uint64_t key) {
-  for (const auto& point : points)
-    if (point.key == key) return &point;
-  return nullptr;
-}
-
-Vec3 relative_velocity(const bodies::Bodies& bodies, const detect::ContactPoint& c) {
-  return bodies.velocity_at(c.b, c.p) - bodies.velocity_at(c.a, c.p);
-}
-
-/// Saves the poses that a probe changes, and restores them at the end of its scope.
-class KeptPoses {
- public:
-  explicit KeptPoses(bodies::Bodies& bodies) : bodies_(bodies), p_(bodies.p_GB), q_(bodies.q_GB), R_(bodies.R_GB) {}
-  ~KeptPoses() { restore(); }
-  KeptPoses(const KeptPoses&) = delete;
-  KeptPoses& operator=(const KeptPoses&) = delete;
-  void restore() {
-    bodies_.p_GB = p_;
-    bodies_.q_GB = q_;
-    bodies_.R_GB = R_;
-  }
-
- private:
-  bodies::Bodies& bodies_;
-  std::vector<Vec3> p_;
-  std::vector<Quat> q_;
-  std::vector<Mat3> R_;
-};
-
-/// Moves all bodies over `time` [s] with their present velocities.
-void go_on(bodies::Bodies& bodies, double time) {
-  for (int k = 0; k < bodies.size(); ++k) {
-    if (!bodies.moves(k)) continue;
-    const auto b = static_cast<std::size_t>(k);
-    bodies.set_pose(k, bodies.p_GB[b] + time * bodies.v_GB[b],
-                    bodies::exponential(time * bodies.w_GB[b]) * bodies.q_GB[b]);
-  }
-}
 
 /// Twist rates (v', w') under loads alone of the bodies that move; zero for the others.
 std::vector<Vec6> free_accelerations(const bodies::Bodies& bodies, const bodies::Wrenches& loads,
@@ -186,6 +132,24 @@ Vec3 slip_direction(const SustainedContact& contact, const ContactKinematics& at
 
 }  // namespace
 
+void note_changes(double t, const std::vector<SustainedContact>& before, const std::vector<SustainedContact>& after,
+                  std::vector<ContactEvent>& events) {
+  const auto in = [](const std::vector<SustainedContact>& list, std::uint64_t key) {
+    return std::find_if(list.begin(), list.end(), [&](const SustainedContact& c) { return c.key == key; });
+  };
+  for (const auto& contact : after) {
+    const auto old = in(before, contact.key);
+    if (old == before.end())
+      events.push_back({t, ContactEventKind::rest, contact.a, contact.b, 0});
+    else if (old->grip != contact.grip)
+      events.push_back({t, contact.grip == Grip::sticks ? ContactEventKind::stick : ContactEventKind::slip, contact.a,
+                        contact.b, 0});
+  }
+  for (const auto& contact : before)
+    if (in(after, contact.key) == after.end())
+      events.push_back({t, ContactEventKind::release, contact.a, contact.b, 0});
+}
+
 SustainedContacts::SustainedContacts(const contact::FrictionPairs& friction,
                                      std::unique_ptr<solvers::ContactSolver> solver, bool frictionless,
                                      double rest_speed, ReferenceVessel* vessel, detect::PairFilter joined)
@@ -196,43 +160,18 @@ SustainedContacts::SustainedContacts(const contact::FrictionPairs& friction,
       vessel_(vessel),
       joined_(std::move(joined)) {}
 
-std::vector<std::uint64_t> SustainedContacts::keys() const {
-  std::vector<std::uint64_t> keys;
-  for (const auto& contact : list_) keys.push_back(contact.key);
-  return keys;
-}
-
 std::vector<ContactKinematics> SustainedContacts::kinematics(bodies::Bodies& bodies,
-                                                             const std::vector<std::uint64_t>& keys) {
-  std::vector<ContactKinematics> out(keys.size());
-  const auto now = detect(bodies);
-  for (std::size_t i = 0; i < keys.size(); ++i) {
-    const detect::ContactPoint* const point = find(now, keys[i]);
-    if (point == nullptr) continue;
-    out[i].found = true;
-    out[i].point = *point;
-    out[i].frame = contact::contact_frame(point->n, bodies.R_GB[point->a], 0);
-    out[i].velocity = relative_velocity(bodies, *point);
-    const Vec3 u = out[i].frame.transpose() * out[i].velocity;
-    out[i].bias = 2 * k_drift_rate * u;
-    out[i].bias[0] += k_drift_rate * k_drift_rate * point->gap;
-  }
-  const double probe = probe_time(bodies);
-  if (probe == 0) return out;
-  KeptPoses kept(bodies);
-  go_on(bodies, probe);
-  const auto later = detect(bodies);
-  std::vector<Vec3> later_velocity;
-  for (const auto& point : later) later_velocity.push_back(relative_velocity(bodies, point));
-  kept.restore();
-  go_on(bodies, -probe);
-  const auto earlier = detect(bodies);
-  for (std::size_t i = 0; i < keys.size(); ++i) {
-    const detect::ContactPoint *const after = find(later, keys[i]), *const before = find(earlier, keys[i]);
-    if (!out[i].found || after == nullptr || before == nullptr) continue;
-    const Vec3 rate = (later_velocity[after - later.data()] - relative_velocity(bodies, *before)) / (2 * probe);
-    out[i].bias += out[i].frame.transpose() * rate;
-    out[i].bias[0] += (after->n - before->n).dot(out[i].velocity) / (2 * probe);
+                                                             const std::vector<detect::ContactPoint>& began) {
+  std::vector<std::uint64_t> keys;
+  for (const auto& point : began) keys.push_back(point.key);
+  auto out = follow_contacts(bodies, keys, [this](const bodies::Bodies& moved) { return detect(moved); });
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    ContactKinematics& at = out[i];
+    if (!at.found) continue;
+    at.bias += 2 * k_drift_rate * (at.frame.transpose() * at.velocity);
+    // An overlap from the start stays: to draw it out would be work without an account.
+    const double kept = began[i].gap < -k_reference_touch ? began[i].gap : 0;
+    at.bias[0] += k_drift_rate * k_drift_rate * (at.point.gap - kept);
   }
   return out;
 }
@@ -255,9 +194,7 @@ AccelerationProblem SustainedContacts::pose(bodies::Bodies& bodies, const bodies
     if (block >= 0 && bodies.is_free(static_cast<int>(b)))
       problem.f.segment<6>(problem.block_offset[block]) = problem.mass(block) * rates[b];
   }
-  std::vector<std::uint64_t> keys;
-  for (const auto& point : points) keys.push_back(point.key);
-  const auto at = kinematics(bodies, keys);
+  const auto at = kinematics(bodies, points);
   for (std::size_t i = 0; i < at.size(); ++i) problem.w.segment<3>(contact::row_of(i)) = at[i].bias;
   if (vessel_ != nullptr)
     for (std::size_t i = 0; i < at.size(); ++i)
@@ -330,7 +267,9 @@ contact::FrictionPair SustainedContacts::friction_of(const bodies::Bodies& bodie
 SustainedForces SustainedContacts::forces(bodies::Bodies& bodies, const bodies::Wrenches& loads) {
   SustainedForces out;
   if (list_.empty()) return out;
-  out.at = kinematics(bodies, keys());
+  std::vector<detect::ContactPoint> began;
+  for (const auto& contact : list_) began.push_back(contact.point);
+  out.at = kinematics(bodies, began);
   out.force.assign(list_.size(), Vec3::Zero());
   std::vector<Direction> rows, columns;
   std::vector<std::pair<std::size_t, Eigen::Index>> place;  // contact and component of each unknown
@@ -381,7 +320,7 @@ ContactImpulses SustainedContacts::stop_creep(bodies::Bodies& bodies) const {
     const Mat3 frame = contact::contact_frame(contact.point.n, bodies.R_GB[contact.a], 0);
     for (Eigen::Index k = 0; k < (contact.grip == Grip::sticks ? 3 : 1); ++k) {
       rows.push_back(direction(bodies, contact.point, frame.col(k), vessel_));
-      speeds.push_back(-frame.col(k).dot(relative_velocity(bodies, contact.point)));
+      speeds.push_back(-frame.col(k).dot(velocity_between(bodies, contact.point)));
       axes.emplace_back(frame.col(k));
       out.points.push_back(contact.point);
     }
@@ -406,15 +345,22 @@ ContactImpulses SustainedContacts::stop_creep(bodies::Bodies& bodies) const {
   return out;
 }
 
+/// Normal speed above which a contact is another one than that which was closed [m/s]. Its point has then jumped, as
+/// that of a rim does where the cap comes to lie flat.
+double SustainedContacts::most_normal_speed(const ContactKinematics& at) const {
+  return 2 * rest_speed_ + k_drift_rate * std::abs(at.point.gap);
+}
+
 void SustainedContacts::watch(const SustainedForces& forces, Eigen::Ref<VecX> out) const {
   for (std::size_t i = 0; i < list_.size(); ++i) {
     const auto row = 2 * static_cast<Eigen::Index>(i);
     const SustainedContact& contact = list_[i];
     const ContactKinematics& at = forces.at[i];
     const Vec3& force = forces.force[i];
-    out[row] = !at.found ? -1 : trusted_ ? 1 : force[0];
+    out[row] = -1;
     out[row + 1] = 1;
     if (!at.found) continue;
+    out[row] = std::min(trusted_ ? 1 : force[0], most_normal_speed(at) - std::abs(at.point.n.dot(at.velocity)));
     if (contact.grip == Grip::sticks)
       out[row + 1] = trusted_ ? 1 : contact.mu_static * force[0] - force.tail<2>().norm();
     else if (contact.mu_static > 0)

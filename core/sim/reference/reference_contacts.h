@@ -9,12 +9,17 @@
 #include "contact/solvers/solver.h"
 #include "core/bodies/bodies.h"
 #include "core/bodies/module.h"
+#include "core/sim/account/step_record.h"
+#include "core/sim/reference/reference_kinematics.h"
 #include "core/sim/reference/reference_vessel.h"
 
 namespace nilas::sim {
 
 /// Gap above which contact points are ignored [m].
 constexpr double k_reference_margin = 1e-5;
+
+/// Points within this distance are closed, and belong to one impact [m].
+constexpr double k_reference_touch = 2e-9;
 
 /// Largest number of contacts closed at one instant, over all bodies.
 constexpr int k_most_reference_contacts = 16;
@@ -29,16 +34,6 @@ struct SustainedContact {
   Grip grip = Grip::slips;
   Vec3 slip_axis = Vec3::UnitX();  ///< direction of slip when this state began, unit
   Vec3 force = Vec3::Zero();       ///< (N, T1, T2) when this state began, to select one of many distributions [N]
-};
-
-/// Position of a contact, the relative velocity of its points, and the part of their relative acceleration that is
-/// independent of the bodies' accelerations.
-struct ContactKinematics {
-  bool found = false;
-  detect::ContactPoint point;
-  Mat3 frame = Mat3::Identity();  ///< columns n, t1, t2
-  Vec3 velocity = Vec3::Zero();   ///< velocity of B's point relative to A's, frame G [m/s]
-  Vec3 bias = Vec3::Zero();       ///< rate of (u_N, u_T) at zero acceleration, along `frame` [m/s^2]
 };
 
 /// The forces of the sustained contacts at one instant.
@@ -60,6 +55,10 @@ struct AccelerationProblem {
   std::vector<Vec3> slip;  ///< direction of slip per contact, zero where it has none
   double scale = 0;        ///< largest relative acceleration without contact forces [m/s^2]
 };
+
+/// Adds the events that make the difference between two lists of sustained contacts at the instant t [s].
+void note_changes(double t, const std::vector<SustainedContact>& before, const std::vector<SustainedContact>& after,
+                  std::vector<ContactEvent>& events);
 
 class SustainedContacts {
  public:
@@ -87,8 +86,8 @@ class SustainedContacts {
   /// Forces for the decided states: normal accelerations vanish, and tangential ones where a contact sticks; sliding
   /// friction opposes the slip. The forces continue smoothly where the law would end a state.
   SustainedForces forces(bodies::Bodies& bodies, const bodies::Wrenches& loads);
-  /// Writes two event functions per contact, positive while its state lasts: the normal force, and the slip along
-  /// slip_axis or the reserve of static friction.
+  /// Writes two event functions per contact, positive while its state lasts: the normal force, or how far the normal
+  /// speed is below that of a point that has jumped; and the slip along slip_axis or the reserve of static friction.
   void watch(const SustainedForces& forces, Eigen::Ref<VecX> out) const;
   /// Adds the contact forces to the wrenches of their bodies.
   void add(const SustainedForces& forces, const bodies::Bodies& bodies, bodies::Wrenches& loads) const;
@@ -97,10 +96,10 @@ class SustainedContacts {
   bool trusted() const { return trusted_; }
 
  private:
-  std::vector<ContactKinematics> kinematics(bodies::Bodies& bodies, const std::vector<std::uint64_t>& keys);
+  std::vector<ContactKinematics> kinematics(bodies::Bodies& bodies, const std::vector<detect::ContactPoint>& began);
   AccelerationProblem pose(bodies::Bodies& bodies, const bodies::Wrenches& loads,
                            const std::vector<detect::ContactPoint>& points);
-  std::vector<std::uint64_t> keys() const;
+  double most_normal_speed(const ContactKinematics& at) const;
   Vec3 vessel_bias(const bodies::Bodies& bodies, const detect::ContactPoint& c, const Mat3& C) const;
   contact::FrictionPair friction_of(const bodies::Bodies& bodies, const detect::ContactPoint& point) const;
 

@@ -238,6 +238,46 @@ TEST(Reference, ABallLeavesASphereAtTwoThirds) {
   EXPECT_NEAR(left.norm(), 1.1, 1e-9);
 }
 
+/// A ball that slides off a table turns about its edge, without friction: at once the edge bears m (g cos - v^2/R).
+TEST(Reference, ABallLeavesATableOverItsEdge) {
+  const double radius = 0.1, v0 = 0.5, to_edge = 0.2;
+  Rig rig(test::steps_of(0.05) + contact(0) +
+          "<body name='table' shape='box' size='1 1 0.2' position='0 0 -0.1' fixed='true'/>"
+          "<body shape='sphere' radius='0.1' mass='1' position='0.3 0 0.1' velocity='0.5 0 0'/>");
+  rig.run(0.7, 1e-12);
+  const double leaves = std::acos((v0 * v0 / (g * radius) + 2) / 3);
+  const auto inverse_speed = [&](double angle) {
+    return 1 / std::sqrt(v0 * v0 + 2 * g * radius * (1 - std::cos(angle)));
+  };
+  constexpr int k_intervals = 1000;  // Simpson's rule
+  double sum = inverse_speed(0) + inverse_speed(leaves);
+  for (int k = 1; k < k_intervals; ++k) sum += (k % 2 == 0 ? 2 : 4) * inverse_speed(k * leaves / k_intervals);
+  const double t = to_edge / v0 + radius * sum * leaves / k_intervals / 3;
+  const auto releases = rig.of(ContactEventKind::release);
+  ASSERT_FALSE(releases.empty());
+  EXPECT_NEAR(releases.back().t, t, 1e-8);
+}
+
+/// An overlap at the start is no store of energy: it stays, and the ledger closes.
+TEST(Reference, BodiesThatOverlapAtTheStartGainNoEnergy) {
+  Rig rig(test::steps_of(0.05) + contact(0) + k_ground +
+          "<body shape='sphere' radius='0.1' mass='1' position='0 0 0.099' velocity='0.3 0 0'/>"
+          "<body shape='box' size='0.3 0.3 0.2' mass='1' position='2 0 0.1'/>"
+          "<body shape='box' size='0.2 0.2 0.2' mass='1' position='2.02 0.01 0.28' velocity='0.1 0 0'/>");
+  rig.run(0.5, 1e-12);
+  EXPECT_NEAR(rig.bodies().p_GB[1].z(), 0.099, 1e-9);
+  EXPECT_NEAR(rig.bodies().p_GB[3].z(), 0.28, 1e-9);
+}
+
+/// The lowest point of a cap's rim races round where a box comes to lie on it almost flat.
+TEST(Reference, ABoxFallsOnACap) {
+  Rig rig(test::steps_of(0.01) + contact(0) +
+          "<body name='pile' shape='cylinder' radius='0.2' height='1' fixed='true'/>"
+          "<body shape='box' size='0.8 0.6 0.1' mass='2' position='0.01 0.005 0.5501' rotation_deg='0.0004 0.0001 0' "
+          "velocity='0 0 -1'/>");
+  rig.run(0.2, 1e-7);
+}
+
 /// Rolling, friction grows with the slope under the ball until it slips: the account of friction stays closed.
 TEST(Reference, ABallRollsDownASphereThenSlipsThenLeaves) {
   Rig rig(test::steps_of(0.05) + contact(0.2, 0, "static='0.3'") +
