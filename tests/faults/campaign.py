@@ -70,16 +70,24 @@ def try_case(bench: Bench, command: Command, plan: Plan, row: Counter[str]) -> N
         print(f"BAD {command.name}: {plan.text()} ({ended.where()}): {told}", flush=True)
 
 
+def share_of_time(end: float, shares: int) -> float:
+    """When the first of so many equal shares of the time until the end is over."""
+    now = time.monotonic()
+    return now + max(0.0, end - now) / shares
+
+
 def try_command(name: str, bench: Bench, store: Path, options: argparse.Namespace, end: float) -> list[dict]:
     """All chosen faults of one command: a row of the table for each class."""
     command = prepared(name, bench, store)
     calls = carry_out(bench, command).calls
     rows = []
-    for kind in options.kinds.split(","):
+    kinds = options.kinds.split(",")
+    for k, kind in enumerate(kinds):
         row: Counter[str] = Counter()
         chance = random.Random(f"{options.seed} {name} {kind}")
+        its_end = share_of_time(end, len(kinds) - k)
         for plan in plans(kind, calls[kind], options.most, chance, options.at):
-            if time.monotonic() < end:
+            if time.monotonic() < its_end:
                 try_case(bench, command, plan, row)
         rows.append({"command": name, "kind": kind, "calls": calls[kind], **row})
         print(", ".join(f"{column} {rows[-1].get(column, 0)}" for column in COLUMNS), flush=True)
@@ -93,8 +101,9 @@ def try_all(bench: Bench, store: Path, options: argparse.Namespace, end: float) 
     if options.power:
         return power.campaign(bench, store, options, end)
     rows = []
-    for name in options.of.split(","):
-        rows += try_command(name, bench, store, options, end)
+    names = options.of.split(",")
+    for k, name in enumerate(names):
+        rows += try_command(name, bench, store, options, share_of_time(end, len(names) - k))
     return COLUMNS, rows
 
 

@@ -148,7 +148,7 @@ def report_command(bench: Bench, store: Path) -> Command:
 def _names_a_gap(page: Path) -> bool:
     """Whether a report says that it leaves something out, since a file cannot be read."""
     text = page.read_text()
-    return "</html>" in text and re.search(r"cannot be (read|opened)|is not in the folder|cut, damaged", text) is not None
+    return "</html>" in text and re.search(r"cannot (be )?(read|open)|is no file|is not in the folder|cut, damaged", text) is not None
 
 
 def _compared(out: Path) -> object:

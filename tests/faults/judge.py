@@ -12,6 +12,8 @@ _DONE, _FILE = 0, 4
 # A study goes on where one of its runs fails, and then ends with 3; the next call makes the run again.
 _RIGHT_CODES = {"study": {3, _FILE}}
 _INTERNAL = re.compile(r"internal error|Traceback|terminate called|LOG ERROR", re.IGNORECASE)
+# Python that gets no memory at its own start says so itself, before any line of this project.
+_NO_PYTHON = re.compile(r"Fatal Python error: .*\nPython runtime state: (pre|core )initialized\nMemoryError")
 _WORDS = {
     "memory": re.compile(r"memory|MemoryError|cannot allocate", re.IGNORECASE),
     "mmap": re.compile(r"memory|cannot allocate|map", re.IGNORECASE),
@@ -28,6 +30,8 @@ def fault_of(command: Command, plan: Plan, ended: Ended) -> str:
         return f"signal {-ended.code if ended.code < 0 else ended.code - 128}: {_last(ended.err)}"
     if ended.code == _DONE:
         return command.judge(True)
+    if command.name == "study" and _NO_PYTHON.search(ended.err):
+        return command.judge(False)
     if ended.code not in _RIGHT_CODES.get(command.name, {_FILE}):
         return f"exit code {ended.code}: {_last(ended.err)}"
     if _INTERNAL.search(ended.err):

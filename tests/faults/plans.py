@@ -32,11 +32,14 @@ KINDS = tuple(_ERRORS)
 
 
 def plans(kind: str, calls: int, most: int, chance: random.Random, only: int | None = None) -> list[Plan]:
-    """Plans for a class of so many calls: all of them, or as many as `most`, drawn evenly; or those of one call."""
+    """Plans for a class of so many calls: all of them, or as many as `most`, drawn evenly; or those of one call.
+
+    Their order is drawn, too, so that those tried until some instant are a sample of all.
+    """
     if only is not None:
         return [plan for plan in _all(kind, min(only, calls)) if plan.at == only][:most]
-    every = list(_all(kind, calls)) if calls * 3 <= 20000 else list(_spread(kind, calls, most, chance))
-    return every if len(every) <= most else sorted(chance.sample(every, most), key=_order)
+    every = list(_all(kind, calls)) if calls * 3 <= 20000 else list(_spread(kind, calls, min(most, calls), chance))
+    return chance.sample(every, min(len(every), most))
 
 
 def _all(kind: str, calls: int) -> Iterator[Plan]:
@@ -54,7 +57,3 @@ def _spread(kind: str, calls: int, most: int, chance: random.Random) -> Iterator
     for k in range(most):
         at = 1 + int(calls * (k + chance.random()) / most)
         yield Plan(kind, at, str(_ERRORS[kind][0]), lasting=kind in _LASTING and k % 2 == 1)
-
-
-def _order(plan: Plan) -> tuple[int, str, bool]:
-    return plan.at, plan.action, plan.lasting

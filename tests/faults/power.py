@@ -78,7 +78,7 @@ class Disk:
         for path in [folder, *folder.rglob("*")]:
             if path.is_dir():
                 lines.append(f"D {path}")
-                lines += [f"E {entry.stat().st_ino} {entry.name}" for entry in path.iterdir()]
+                lines += [f"{'S' if entry.is_dir() else 'E'} {entry.stat().st_ino} {entry.name}" for entry in path.iterdir()]
             else:
                 shutil.copyfile(path, shadow / "files" / str(path.stat().st_ino))
         (shadow / "journal").write_text("".join(line + "\n" for line in lines))
@@ -104,7 +104,7 @@ class Disk:
 
     def _restore_names(self, out: Path) -> None:
         """The names as of the last flush of their folder; a flushed file has the name of that time."""
-        names: dict[Path, dict[str, str]] = {}
+        names: dict[Path, dict[str, str | None]] = {}  # the inode of each file; None for a folder
         folder = Path()
         for line in (self.shadow / "journal").read_text().splitlines():
             kind, _, rest = line.partition(" ")
@@ -113,18 +113,18 @@ class Disk:
                 names[folder] = {}
                 continue
             inode, _, name = rest.partition(" ")
-            if kind == "E" and name not in (".", ".."):
-                names[folder][name] = inode
+            if kind in "ES" and name not in (".", ".."):
+                names[folder][name] = inode if kind == "E" else None
             elif kind == "F":
                 names.setdefault(Path(name).parent, {})[Path(name).name] = inode
         for folder, entries in names.items():
             if folder != out and out not in folder.parents:
                 continue
             for name, inode in entries.items():
-                flushed = self.shadow / "files" / inode
-                if (folder / name) in names:
+                if inode is None or (folder / name) in names:
+                    (folder / name).mkdir(parents=True, exist_ok=True)
                     continue
                 folder.mkdir(parents=True, exist_ok=True)
-                if (folder / name).is_dir():
-                    continue
-                (folder / name).write_bytes(flushed.read_bytes() if flushed.exists() else b"")
+                flushed = self.shadow / "files" / inode
+                if not (folder / name).is_dir():
+                    (folder / name).write_bytes(flushed.read_bytes() if flushed.exists() else b"")

@@ -64,7 +64,8 @@ void list_folder(const char* path) {
     for (long at = 0; at < got;) {
       const auto* entry = reinterpret_cast<const Entry*>(block + at);
       const char* name = block + at + offsetof(Entry, name);
-      std::snprintf(line, sizeof line, "E %lu %s\n", static_cast<unsigned long>(entry->inode), name);
+      std::snprintf(line, sizeof line, "%c %lu %s\n", entry->type == DT_DIR ? 'S' : 'E',
+                    static_cast<unsigned long>(entry->inode), name);
       write_line(line);
       at += entry->size;
     }
