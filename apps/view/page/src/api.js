@@ -13,8 +13,8 @@ export function makeApi(app, progress) {
     get time() { return app().player.time; },
     get frame() { return app().player.number - app().recording.first; },
     get notices() { return app().notices.texts; },
-    seek: (time, how) => app().player.seek(time, how),
-    seekFrame: (number) => app().player.seekFrame(app().recording.first + number),
+    seek: (time, how) => stay(app).seek(time, how),
+    seekFrame: (number) => stay(app).seekFrame(app().recording.first + number),
     play: () => app().player.play(),
     pause: () => app().player.pause(),
     set: (option, value) => app().options.set(option, value),
@@ -33,6 +33,12 @@ export function makeApi(app, progress) {
     shoot: (time, between) => shoot(app(), time, between),
     measure: (count) => measure(app(), count),
   };
+}
+
+/** The player, which then no longer follows a live run: its next frame would overtake the one that is sought. */
+function stay(app) {
+  app().player.leaveLive();
+  return app().player;
 }
 
 function stats({ stage, store, recording }, { marks }) {

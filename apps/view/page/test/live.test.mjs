@@ -115,6 +115,11 @@ check('two pages follow a run, and one of them looks back', async () => {
   assert.equal(await page.evaluate(() => window.nilas.frame), 0, 'a user who looks back is not pulled on');
   await press(page, 'Live');
   await until(page, () => window.nilas.frame === 11);
+  await page.evaluate(() => window.nilas.seekFrame(2));
+  run.advance(2);
+  await waitForFrames(page, 14);
+  await until(other.page, () => window.nilas.frame === 13);
+  assert.equal(await page.evaluate(() => window.nilas.frame), 2, 'nor is a script that seeks');
   assert.deepEqual([...faults, ...other.faults], []);
   assert.deepEqual([...requests, ...other.requests], []);
   await page.close();
