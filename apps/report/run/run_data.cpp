@@ -138,6 +138,7 @@ bool RunData::attempt(const std::string& what, const std::function<void()>& work
   } catch (const InputError& fault) {
     gaps.push_back({what, std::string(fault.what()) + "."});
   } catch (const FileError& fault) {
+    if (unreadable.empty()) unreadable = fault.what();
     gaps.push_back({what, std::string(fault.what()) + "."});
   } catch (const SceneError& fault) {
     gaps.push_back({what, std::string(fault.what()) + "."});
@@ -165,6 +166,7 @@ RunData read_run(const fs::path& folder) {
   note_missing(run);
   note_cut(run);
   note_no_numbers(run);
+  if (run.times().empty() && !run.unreadable.empty()) throw FileError(run.unreadable);
   if (run.times().empty())
     throw InputError(folder.string() +
                      ": there is nothing to report, since no table of the folder holds a step. The run was killed "

@@ -24,6 +24,7 @@ struct RunData {
   std::optional<scene::Scene> scene;           ///< empty where this version cannot read it
   RunTable vessel, structures, steps, events;  ///< without columns where there is no such file
   std::vector<Gap> gaps;
+  std::string unreadable;  ///< what is wrong with the first file that could not be read; empty where all could
 
   bool has_vessel() const { return vessel.has("ice_resistance_N"); }
   /// Length of the steps [s]; 0 with fewer than one step.
@@ -40,8 +41,8 @@ struct RunData {
   bool attempt(const std::string& what, const std::function<void()>& work);
 };
 
-/// Reads a run folder. Throws FileError where there is no such folder, and InputError where it holds no run or a run
-/// without a step and a summary.
+/// Reads a run folder. Throws FileError where there is no such folder or where its steps cannot be read, and InputError
+/// where it holds no run or a run without a step.
 RunData read_run(const std::filesystem::path& folder);
 
 }  // namespace nilas::report

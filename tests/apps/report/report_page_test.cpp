@@ -223,6 +223,11 @@ TEST_F(ReportPage, WhatIsNoRunIsRefused) {
   expect_refusal("run --out run/scene.xml", 4, "run/scene.xml");
   expect_refusal("run empty", 2, "is no run folder");
   expect_refusal("run run --contacts 0.5", 2, "--contacts draws one run");
+  for (const char* table : {"run/vessel.csv", "run/steps.csv"}) {
+    fs::remove(in(table));
+    fs::create_directory(in(table));  // it can be opened, and not read
+  }
+  expect_refusal("run", 4, "vessel.csv: cannot be read");
 }
 
 TEST_F(ReportPage, FixedBodiesWithoutAVessel) {
