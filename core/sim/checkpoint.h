@@ -8,7 +8,7 @@
 namespace nilas::sim {
 
 /// Version of the layout; no other version can be read.
-constexpr int k_checkpoint_version = 14;
+constexpr int k_checkpoint_version = 15;
 
 /// The program and scene that a state belongs to; it must not be used with others.
 struct CheckpointOrigin {

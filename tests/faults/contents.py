@@ -43,6 +43,9 @@ def half_files(run: Path, reference: Path) -> str:
         if name.endswith((".csv", ".pvd")):
             if not _is_beginning(file, reference / name):
                 return f"{name} holds other rows than those of a run that did not fail"
+        elif name == "statistics.bin":
+            if not (reference / name).read_bytes().startswith(file.read_bytes()):
+                return f"{name} holds other numbers than those of a run that did not fail"
         elif name.endswith(".json"):
             try:
                 json.loads(file.read_text())

@@ -11,6 +11,8 @@ from typing import Callable, Iterator
 # Rounding of sums over many steps, as a share of the largest term.
 ROUNDING = 1e-9
 TABLES = ("steps", "vessel", "events", "bodies")
+# What the summary makes of the numbers of all steps.
+STATISTICS = ("window", "loads", "ice_load", "tow_force", "load_error", "structures")
 
 
 @dataclass
@@ -63,7 +65,7 @@ def judge_rows(folder: Path, steps: int, time_after: Callable[[int], float]) -> 
 
 
 def same_bits(one: Path, other: Path) -> str:
-    """Whether all tables of two runs have the same text, wall times left out; what differs first."""
+    """What differs first in the tables of two runs, wall times left out, or in their statistics; or nothing."""
     for name in TABLES:
         paths = [folder / f"{name}.csv" for folder in (one, other)]
         if not any(path.exists() for path in paths):
@@ -74,4 +76,6 @@ def same_bits(one: Path, other: Path) -> str:
             differing = [key for key in a if a[key] != b.get(key) and not key.startswith("ms_")]
             if differing:
                 return f"{name}.csv, row {number}: {differing[0]} is {b.get(differing[0])} instead of {a[differing[0]]}"
-    return ""
+    first, second = (json.loads((folder / "summary.json").read_text(encoding="utf-8")) for folder in (one, other))
+    other_statistics = [key for key in STATISTICS if first.get(key) != second.get(key)]
+    return f"summary.json: {', '.join(other_statistics)} differ" if other_statistics else ""

@@ -40,7 +40,7 @@ Said run(const scene::Overrides& settings, std::uint64_t twin) {
   EXPECT_TRUE(error.ice_broke);
   const auto& names = statistics.load_names();
   const auto channel = std::find(names.begin(), names.end(), "ice_resistance_N") - names.begin();
-  const auto series = statistics.window().of(statistics.load_series(static_cast<std::size_t>(channel)));
+  const auto series = statistics.load_series(static_cast<std::size_t>(channel), statistics.window());
   return {error.channels[error.headline], error.solver_at_least, output::mean_error(series).half_width()};
 }
 

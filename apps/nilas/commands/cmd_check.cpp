@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -10,6 +11,7 @@
 #include "apps/nilas/reports/check_mooring.h"
 #include "apps/nilas/reports/check_periods.h"
 #include "contact/detect/detector.h"
+#include "core/output/loads/run_statistics.h"
 #include "core/output/text/console.h"
 #include "core/output/text/phase_progress.h"
 #include "core/sim/build/build_world.h"
@@ -27,11 +29,12 @@ struct CheckOptions {
 struct Estimate {
   int bodies = 0, contacts = 0;
   double memory_MB = 0;
+  double statistics_MB = 0;  ///< of statistics.bin
 };
 
 /// Estimates the contacts, which are those within one per cent of the mean bounding radius of floes, and the memory of
-/// bodies and contacts.
-Estimate estimate(const sim::WorldParts& parts) {
+/// bodies, contacts and, at the end, of the series that a statistic is made of.
+Estimate estimate(const sim::WorldParts& parts, long steps) {
   double radius = 0;
   std::size_t bytes = 0;
   const bodies::Bodies& bodies = parts.bodies;
@@ -50,7 +53,11 @@ Estimate estimate(const sim::WorldParts& parts) {
   constexpr std::size_t k_bytes_per_body = 2000, k_bytes_per_contact = 2000;
   bytes += static_cast<std::size_t>(e.bodies) * k_bytes_per_body +
            static_cast<std::size_t>(e.contacts) * k_bytes_per_contact;
+  const std::size_t numbers = output::RunStatistics::numbers_per_step(parts.info);
+  constexpr std::size_t k_series = 4;  // a load, its sizes in order, its sums, and that across
+  bytes += std::min(k_series, numbers) * sizeof(double) * static_cast<std::size_t>(steps);
   e.memory_MB = static_cast<double>(bytes) / 1e6;
+  e.statistics_MB = static_cast<double>(sizeof(double) * numbers) * static_cast<double>(steps) / 1e6;
   return e;
 }
 
@@ -63,7 +70,8 @@ int check(const CheckOptions& options) {
   progress.make_room_for(*logger);
   sim::WorldParts parts = sim::build_world(scene, 1, warnings);
   progress.next("finding the contacts at the start");
-  const Estimate e = estimate(parts);
+  const long steps = scene::number_of_steps(scene.time);
+  const Estimate e = estimate(parts, steps);
   if (scene.vessel) progress.next("finding how the vessel floats");
   const auto equilibrium = vessel_equilibrium(scene, parts);
   const PeriodsReport periods = natural_periods_report(scene, parts);
@@ -82,7 +90,8 @@ int check(const CheckOptions& options) {
                                   {"bodies", e.bodies},
                                   {"floes", parts.info.floes},
                                   {"contacts_estimated", e.contacts},
-                                  {"memory_MB_estimated", e.memory_MB}};
+                                  {"memory_MB_estimated", e.memory_MB},
+                                  {"statistics_MB", e.statistics_MB}};
     if (equilibrium) result["equilibrium"] = equilibrium->json;
     result["natural_periods"] = periods.json;
     if (mooring) result["mooring"] = mooring->json;
@@ -103,8 +112,9 @@ int check(const CheckOptions& options) {
   std::cout << periods.text;
   if (mooring) std::cout << mooring->text;
   std::cout << fmt::format("\n{} bodies ({} floes), about {} contacts, about {:.0f} MB, {} steps of {} s\n", e.bodies,
-                           parts.info.floes, e.contacts, std::ceil(e.memory_MB), scene::number_of_steps(scene.time),
-                           scene.time.step);
+                           parts.info.floes, e.contacts, std::ceil(e.memory_MB), steps, scene.time.step);
+  if (e.statistics_MB > 0)
+    std::cout << fmt::format("{:.3g} MB of numbers for the statistics in the run folder\n", e.statistics_MB);
   return exit_done;
 }
 

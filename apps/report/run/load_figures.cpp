@@ -76,9 +76,10 @@ void compute(const RunData& run, std::optional<double> ramp_end, const std::vect
   const double filter =
       run.scene && run.scene->output.peak_filter ? *run.scene->output.peak_filter : output::default_peak_filter(length);
   const bool broke = run.broke_before(load.window.to);
-  load.along = output::component_load(load.series, load.window, start, h, filter, broke);
-  load.across = output::component_load(across, load.window, start, h, filter, broke);
-  load.on_step = output::step_dependence(load.window.of(load.series), h, filter, true);
+  const std::vector<double> along = load.window.of(load.series);
+  load.along = output::component_load(along, load.window.from, h, filter, broke);
+  load.across = output::component_load(load.window.of(across), load.window.from, h, filter, broke);
+  load.on_step = output::step_dependence(along, h, filter, true);
   load.chance_alone = true;
 }
 

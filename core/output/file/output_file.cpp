@@ -19,9 +19,9 @@ constexpr mode_t k_file_mode = 0666;  // reduced by the user's umask
 
 }  // namespace
 
-OutputFile::OutputFile(std::filesystem::path path, std::string tail, std::optional<std::int64_t> keep)
-    : path_(std::move(path)), tail_(std::move(tail)) {
-  descriptor_ = ::open(path_.c_str(), O_CLOEXEC | (keep ? O_RDWR : O_WRONLY | O_CREAT | O_TRUNC), k_file_mode);
+OutputFile::OutputFile(std::filesystem::path path, std::string tail, std::optional<std::int64_t> keep, Pieces pieces)
+    : path_(std::move(path)), tail_(std::move(tail)), pieces_(pieces) {
+  descriptor_ = ::open(path_.c_str(), O_CLOEXEC | O_RDWR | (keep ? 0 : O_CREAT | O_TRUNC), k_file_mode);
   if (descriptor_ < 0) fail(errno);
   if (keep) cut_to(*keep);
 }
@@ -38,6 +38,17 @@ void OutputFile::append(std::string_view piece) {
     fail(error_number);
   }
   body_end_ += static_cast<off_t>(piece.size());
+}
+
+void OutputFile::read(std::int64_t offset, std::span<std::byte> to) const {
+  while (!to.empty()) {
+    const ssize_t found = ::pread(descriptor_, to.data(), to.size(), static_cast<off_t>(offset));
+    if (found < 0 && errno == EINTR) continue;
+    if (found < 0) throw FileError(path_.string() + ": cannot read: " + std::strerror(errno));
+    if (found == 0) throw FileError(path_.string() + ": cannot read: it has become shorter than what was written");
+    offset += found;
+    to = to.subspan(static_cast<std::size_t>(found));
+  }
 }
 
 void OutputFile::sync() const {
@@ -75,7 +86,8 @@ void OutputFile::cut_to(std::int64_t bytes) {
     throw InputError(path_.string() + ": holds " + std::to_string(size) + " bytes, less than the " +
                      std::to_string(bytes) + " that the checkpoint goes on from");
   char last = '\n';
-  if (bytes > 0 && ::pread(descriptor_, &last, 1, static_cast<off_t>(bytes - 1)) != 1) fail(errno);
+  if (pieces_ == Pieces::lines && bytes > 0 && ::pread(descriptor_, &last, 1, static_cast<off_t>(bytes - 1)) != 1)
+    fail(errno);
   if (last != '\n')
     throw InputError(path_.string() + ": has changed: byte " + std::to_string(bytes) +
                      ", up to which the checkpoint goes on from it, ends no line");

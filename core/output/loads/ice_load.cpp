@@ -20,12 +20,10 @@ bool IceLoad::impacts_dominate() const {
   return rigid && touched && window.steps() >= k_least_steps && in_largest > k_third;
 }
 
-ComponentLoad component_load(const std::vector<double>& series, const LoadWindow& window, double start, double h,
-                             double filter, bool ice_broke) {
-  const std::vector<double> part = window.of(series);
+ComponentLoad component_load(const std::vector<double>& part, double t0, double h, double filter, bool ice_broke) {
   ComponentLoad load;
   load.statistics = load_statistics(part);
-  load.peak = peak_of(part, start + static_cast<double>(window.first) * h, h, filter);
+  load.peak = peak_of(part, t0, h, filter);
   const MeanError error = ice_broke ? slow_mean_error(part) : mean_error(part);
   if (error.freedom > 0) load.half_width = error.half_width();
   load.halves = half_means(part, ice_broke);

@@ -59,10 +59,10 @@ struct IceLoad {
   bool impacts_dominate() const;
 };
 
-/// The load of one component over a window of a run that begins at `start` with steps of `h` [s]. `ice_broke`: ice
-/// broke before the window's end, so the load has a long memory.
-ComponentLoad component_load(const std::vector<double>& series, const LoadWindow& window, double start, double h,
-                             double filter, bool ice_broke = false);
+/// The load of one component from its values in steps of `h` [s], the first of which begins at t0 [s]. `ice_broke`:
+/// ice broke before the end of the last, so the load has a long memory.
+ComponentLoad component_load(const std::vector<double>& part, double t0, double h, double filter,
+                             bool ice_broke = false);
 
 /// A body that the scene holds fixed.
 struct StructureLoad {

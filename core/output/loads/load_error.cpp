@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "core/base/statistics.h"
-#include "core/output/loads/load_statistics.h"
 #include "core/output/loads/mean_error.h"
 
 namespace nilas::output {
@@ -59,63 +58,47 @@ bool parted_in_time(const TwinStatistics& twins, double start, double end) {
 
 }  // namespace
 
-/// Mean over the window of value(entry) for each entry.
+/// Mean of value(entry) over all entries; 0 of none.
 template <class Value>
-static double mean_over(const std::vector<double>& series, const LoadWindow& window, const Value& value) {
-  if (window.steps() == 0) return 0;
+static double mean_over(const std::vector<double>& series, const Value& value) {
+  if (series.empty()) return 0;
   double sum = 0;
-  for (std::size_t k = window.first; k < window.last; ++k) sum += value(series[k]);
-  return sum / static_cast<double>(window.steps());
+  for (const double x : series) sum += value(x);
+  return sum / static_cast<double>(series.size());
 }
 
-void LoadResiduals::add(const sim::StepRecord& record) {
+static double mean_over(const std::vector<double>& series) {
+  return mean_over(series, [](double x) { return x; });
+}
+
+void LoadResiduals::add_to(std::vector<double>& row, const sim::StepRecord& record) {
   const sim::VesselRecord& vessel = record.vessel.value();
   constexpr double k_coarse = 1e-3;  // share of the speed, as in the default tolerance
   const double speed = vessel.carriage ? std::abs(vessel.state.v.head<2>().dot(vessel.course)) : 0;
   const bool coarse = speed > 0 && record.residuals.law_map_m_s > k_coarse * speed;
-  short_.push_back(record.solver_short ? 1 : 0);
-  coarse_.push_back(record.solver_short || coarse ? 1 : 0);
+  row.push_back(record.solver_short ? 1 : 0);
+  row.push_back(record.solver_short || coarse ? 1 : 0);
   // Absolute values of the components are bounds along any axis.
   const Vec2 ahead = vessel.course.cwiseAbs(), aside = sim::to_port(vessel.course).cwiseAbs();
   const auto solver = components(vessel.solver_residual, ahead, aside);
   const auto law = components(vessel.law_residual, vessel.course, sim::to_port(vessel.course));
-  for (std::size_t c = 0; c < k_components; ++c) {
-    solver_[c].push_back(solver[c]);
-    law_[c].push_back(law[c]);
-  }
+  row.insert(row.end(), solver.begin(), solver.end());
+  row.insert(row.end(), law.begin(), law.end());
 }
 
 double LoadResiduals::solver(std::size_t component, const LoadWindow& window) const {
-  return mean_over(solver_[component], window, [](double x) { return x; });
+  return mean_over(columns_.over(window, k_solver + component));
 }
 
 double LoadResiduals::law(std::size_t component, const LoadWindow& window) const {
-  if (window.steps() == 0) return 0;
-  const double mean = mean_over(law_[component], window, [](double x) { return x; });
-  const double square = mean_over(law_[component], window, [](double x) { return x * x; });
-  return std::abs(mean) + 2 * std::sqrt(square / static_cast<double>(window.steps()));
+  const std::vector<double> law = columns_.over(window, k_law + component);
+  if (law.empty()) return 0;
+  const double square = mean_over(law, [](double x) { return x * x; });
+  return std::abs(mean_over(law)) + 2 * std::sqrt(square / static_cast<double>(law.size()));
 }
 
 double LoadResiduals::share_short(const LoadWindow& window, bool ice_broke) const {
-  return mean_over(ice_broke ? coarse_ : short_, window, [](double x) { return x; });
-}
-
-void LoadResiduals::save(StateWriter out) const {
-  out.add("short", short_);
-  out.add("coarse", coarse_);
-  for (std::size_t c = 0; c < k_components; ++c) {
-    out.add("solver" + std::to_string(c), solver_[c]);
-    out.add("law" + std::to_string(c), law_[c]);
-  }
-}
-
-void LoadResiduals::restore(const StateReader& in, std::size_t steps) {
-  in.get("short", short_, steps);
-  in.get("coarse", coarse_, steps);
-  for (std::size_t c = 0; c < k_components; ++c) {
-    in.get("solver" + std::to_string(c), solver_[c], steps);
-    in.get("law" + std::to_string(c), law_[c], steps);
-  }
+  return mean_over(columns_.over(window, ice_broke ? k_coarse : k_short));
 }
 
 std::optional<LoadError> load_error(const LoadRecord& run, const LoadResiduals& residuals,
@@ -126,15 +109,16 @@ std::optional<LoadError> load_error(const LoadRecord& run, const LoadResiduals& 
   out.chaos_from_twins = out.from_twins && parted_in_time(*twins, run.window.from, run.window.to);
   for (std::size_t c = 0; c < run.names.size(); ++c) {
     const auto component = component_of(run.names[c]);
-    const auto series = run.window.of(run.series[c]);
-    if (!component || series.empty()) continue;
+    if (!component) continue;
+    const auto series = run.series.over(run.window, c);
+    if (series.empty()) continue;
     ChannelError error;
     error.channel = run.names[c];
-    error.mean = out.from_twins ? mean_of(twins->mean_loads[c]) : load_statistics(series).mean;
+    error.mean = out.from_twins ? mean_of(twins->mean_loads[c]) : mean_of(series);
     // The contact load's channels come first, in the order of the components.
     const bool of_course = *component >= k_components - k_num_course_loads;
     if (!out.chaos_from_twins)
-      error.chaos = own_chaos(of_course ? series : run.window.of(run.series[*component]), out.ice_broke);
+      error.chaos = own_chaos(of_course ? series : run.series.over(run.window, *component), out.ice_broke);
     if (out.from_twins) error.chaos = std::max(error.chaos.value_or(0), chaos_of_runs(twins->mean_loads[c]));
     error.solver = residuals.solver(*component, run.window);
     error.law = residuals.law(*component, run.window);

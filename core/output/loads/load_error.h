@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "core/base/state.h"
 #include "core/output/loads/load_window.h"
+#include "core/output/loads/step_series.h"
 #include "core/output/loads/twin_statistics.h"
 #include "core/output/tables/vessel_channels.h"
 #include "core/sim/account/step_record.h"
@@ -14,11 +14,16 @@
 namespace nilas::output {
 
 /// The residuals of each step as loads: components fx fy fz mx my mz of the contact load, then along and across the
-/// course.
+/// course. They stand in columns of a table of steps.
 class LoadResiduals {
  public:
-  /// Adds a step of a run with a vessel.
-  void add(const sim::StepRecord& record);
+  static constexpr std::size_t k_components = 6 + k_num_course_loads;
+  static constexpr std::size_t k_columns = 2 + 2 * k_components;
+
+  /// `columns`: those that add_to() fills.
+  explicit LoadResiduals(SeriesPart columns) : columns_(columns) {}
+  /// Adds the columns of a step of a run with a vessel to a row.
+  static void add_to(std::vector<double>& row, const sim::StepRecord& record);
   /// Mean of the solver's residual over the steps of a window, in absolute values, without cancellation.
   double solver(std::size_t component, const LoadWindow& window) const;
   /// Residual of the contact law over the steps of a window: |mean| and twice its standard error.
@@ -27,14 +32,11 @@ class LoadResiduals {
   /// whose residual exceeds a thousandth of the carriage's speed.
   double share_short(const LoadWindow& window, bool ice_broke) const;
 
-  void save(StateWriter out) const;
-  void restore(const StateReader& in, std::size_t steps);
-
-  static constexpr std::size_t k_components = 6 + k_num_course_loads;
-
  private:
-  std::array<std::vector<double>, k_components> solver_, law_;  ///< one entry per step
-  std::vector<double> short_, coarse_;                          ///< 1 in steps that were short (or coarse), else 0
+  /// The first columns: 1 in steps that were short (or coarse), else 0; then solver's residuals and those of the law.
+  static constexpr std::size_t k_short = 0, k_coarse = 1, k_solver = 2, k_law = k_solver + k_components;
+
+  SeriesPart columns_;
 };
 
 /// The error of one channel's mean over the window, in the channel's unit, as half widths for about 95 % of runs.
@@ -63,7 +65,7 @@ struct LoadError {
 /// Load channels of a run, with one value per step.
 struct LoadRecord {
   const std::vector<std::string>& names;
-  const std::vector<std::vector<double>>& series;
+  SeriesPart series;       ///< a column per channel
   LoadWindow window;       ///< the window over which loads are averaged
   bool ice_broke = false;  ///< true if ice broke before the window's end
 };

@@ -12,7 +12,9 @@ namespace {
 /// Time integral, from the series' begin, of a load that is constant within steps.
 class Impulse {
  public:
-  Impulse(const std::vector<double>& series, double h) : h_(h), sums_{0} {
+  Impulse(const std::vector<double>& series, double h) : h_(h) {
+    sums_.reserve(series.size() + 1);
+    sums_.push_back(0);
     for (const double x : series) sums_.push_back(sums_.back() + h * x);
   }
   double at(double t) const {

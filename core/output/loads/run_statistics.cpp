@@ -17,9 +17,27 @@ double ratio(double part, double scale) { return part == 0 ? 0 : part / scale; }
 
 }  // namespace
 
-RunStatistics::RunStatistics(const sim::RunInfo& info)
+RunStatistics::Columns::Columns(const sim::RunInfo& info) : has_tow(info.has_vessel && info.has_carriage) {
+  if (info.has_vessel) {
+    residuals = VesselChannels(info).load_names().size();
+    count = residuals + LoadResiduals::k_columns;
+  }
+  tow = count;
+  if (has_tow) count += k_tow_columns + info.vessel_loads.size();
+  structures = count;
+  count += info.structures.size() * structure_load_names().size();
+}
+
+/// The table of a run; in memory where it has no file, or nothing to hold.
+static StepSeries table(std::size_t columns, const std::filesystem::path& file, std::optional<std::int64_t> keep) {
+  return columns == 0 || file.empty() ? StepSeries(columns) : StepSeries(columns, file, keep);
+}
+
+RunStatistics::RunStatistics(const sim::RunInfo& info, const std::filesystem::path& file,
+                             std::optional<std::int64_t> keep)
     : info_(info),
-      structure_series_(info.structures.size() * structure_load_names().size()),
+      columns_(info),
+      series_(table(columns_.count, file, keep)),
       structure_first_ice_(info.structures.size(), k_never),
       processor_s_(processor_seconds()),
       works_(info.work_names.size(), 0),
@@ -30,10 +48,7 @@ RunStatistics::RunStatistics(const sim::RunInfo& info)
         "angular_momentum_imbalance_Nms", "momentum_imbalance_relative", "angular_momentum_imbalance_relative"})
     worst_.push_back({name});
   for (const std::string& column : info.module_columns) worst_.push_back({column});
-  if (!info.has_vessel) return;
-  load_names_ = VesselChannels(info).load_names();
-  load_series_.resize(load_names_.size());
-  if (info.has_carriage) module_resistance_.resize(info.vessel_loads.size());
+  if (info.has_vessel) load_names_ = VesselChannels(info).load_names();
 }
 
 void RunStatistics::start(double t, const sim::Ledger& ledger) {
@@ -68,34 +83,34 @@ void RunStatistics::add(const sim::StepRecord& record, const std::vector<double>
   costs_.add(record, 1 / k_milli * (processor_s - processor_s_));
   processor_s_ = processor_s;
   step_loads_.add(record);
-  if (!load_series_.empty()) add_vessel(record, vessel_values);
+  row_.clear();
+  if (info_.has_vessel) add_vessel(record, vessel_values);
   add_structures(record);
+  series_.append(row_);
 }
 
 void RunStatistics::add_vessel(const sim::StepRecord& record, const std::vector<double>& vessel_values) {
   const sim::VesselRecord& vessel = record.vessel.value();
   const std::vector<double> loads = VesselChannels(info_).loads(vessel_values);
-  for (std::size_t c = 0; c < load_series_.size(); ++c) load_series_[c].push_back(loads[c]);
-  load_residuals_.add(record);
+  row_.insert(row_.end(), loads.begin(), loads.end());
+  LoadResiduals::add_to(row_, record);
   if (vessel.touches_ice) first_ice_ = std::min(first_ice_, record.t - record.h);
-  if (!vessel.carriage) return;
+  if (!columns_.has_tow) return;
   const auto along = [&](const Vec3& x) { return x.head<2>().dot(vessel.course); };
-  tow_.push_back(along(vessel.carriage->about_com.force));
-  water_.push_back(vessel.hydro ? -along(vessel.hydro->force) : 0);
-  others_.push_back(-along(vessel.contact.force - vessel.ice));
-  for (std::size_t m = 0; m < module_resistance_.size(); ++m)
-    module_resistance_[m].push_back(-along(vessel.module_loads[m].force));
-  speed_.push_back(along(vessel.state.v));
+  row_.push_back(along(vessel.carriage.value().about_com.force));
+  row_.push_back(vessel.hydro ? -along(vessel.hydro->force) : 0);
+  row_.push_back(-along(vessel.contact.force - vessel.ice));
+  row_.push_back(along(vessel.state.v));
+  for (std::size_t m = 0; m < info_.vessel_loads.size(); ++m) row_.push_back(-along(vessel.module_loads[m].force));
 }
 
 void RunStatistics::add_structures(const sim::StepRecord& record) {
   NILAS_DEMAND(record.structures.size() == info_.structures.size());
-  std::size_t series = 0;
   for (std::size_t k = 0; k < record.structures.size(); ++k) {
     if (record.structures[k].touches_ice)
       structure_first_ice_[k] = std::min(structure_first_ice_[k], record.t - record.h);
-    for (const double load : nilas::output::structure_loads(record.structures[k], info_.drift_course))
-      structure_series_[series++].push_back(load);
+    const std::vector<double> loads = nilas::output::structure_loads(record.structures[k], info_.drift_course);
+    row_.insert(row_.end(), loads.begin(), loads.end());
   }
 }
 
@@ -115,20 +130,10 @@ void RunStatistics::save(StateWriter out) const {
   }
   out.add("worst", worst);
   out.add("worst_time", times);
-  for (std::size_t c = 0; c < load_series_.size(); ++c) out.group("loads").add(load_names_[c], load_series_[c]);
-  if (!load_series_.empty()) load_residuals_.save(out.group("load_residuals"));
+  series_.save(out.group("series"));
   step_loads_.save(out.group("step_loads"));
-  out.add("tow", tow_);
-  out.add("water", water_);
-  out.add("others", others_);
-  for (std::size_t m = 0; m < module_resistance_.size(); ++m)
-    out.group("modules").add(info_.vessel_loads[m], module_resistance_[m]);
-  out.add("speed", speed_);
   out.add("first_ice", first_ice_);
   out.add("first_break", first_break_);
-  std::vector<double> structures;  // in one array: a pier of hundreds of piles has thousands of series
-  for (const auto& series : structure_series_) structures.insert(structures.end(), series.begin(), series.end());
-  out.add("structures", structures);
   out.add("structures_first_ice", structure_first_ice_);
   costs_.save(out.group("costs"));
   out.add("h", h_);
@@ -155,28 +160,12 @@ void RunStatistics::restore(const StateReader& in) {
     worst_[k].time = times[k];
   }
   in.get("steps", steps_);
-  for (std::size_t c = 0; c < load_series_.size(); ++c)
-    in.group("loads").get(load_names_[c], load_series_[c], static_cast<std::size_t>(steps_));
-  const auto steps = static_cast<std::size_t>(steps_);
-  if (!load_series_.empty()) load_residuals_.restore(in.group("load_residuals"), steps);
+  series_.restore(in.group("series"), static_cast<std::size_t>(steps_));
   step_loads_.restore(in.group("step_loads"));
-  const std::size_t towed = !load_series_.empty() && info_.has_carriage ? steps : 0;
-  in.get("tow", tow_, towed);
-  in.get("water", water_, towed);
-  in.get("others", others_, towed);
-  for (std::size_t m = 0; m < module_resistance_.size(); ++m)
-    in.group("modules").get(info_.vessel_loads[m], module_resistance_[m], towed);
-  in.get("speed", speed_, towed);
   in.get("first_ice", first_ice_);
   in.get("first_break", first_break_);
-  std::vector<double> structures;
-  in.get("structures", structures, steps * structure_series_.size());
-  for (std::size_t k = 0; k < structure_series_.size(); ++k) {
-    const auto begin = structures.begin() + static_cast<std::ptrdiff_t>(k * steps);
-    structure_series_[k].assign(begin, begin + static_cast<std::ptrdiff_t>(steps));
-  }
   in.get("structures_first_ice", structure_first_ice_, info_.structures.size());
-  costs_.restore(in.group("costs"), steps);
+  costs_.restore(in.group("costs"));
   in.get("h", h_);
   in.get("works", works_, works_.size());
   in.get("energy_put_in", energy_put_in_);
@@ -214,19 +203,46 @@ double RunStatistics::peak_filter() const {
 
 std::optional<LoadError> RunStatistics::load_error(const TwinStatistics* twins) const {
   const LoadWindow counted = window();
-  return nilas::output::load_error({load_names_, load_series_, counted, first_break_ - 0.5 * h_ < counted.to},
-                                   load_residuals_, twins);
+  return nilas::output::load_error({load_names_, SeriesPart(series_, 0), counted, first_break_ - 0.5 * h_ < counted.to},
+                                   LoadResiduals(SeriesPart(series_, columns_.residuals)), twins);
 }
 
-const std::vector<double>& RunStatistics::series_of(const std::string& name) const {
+std::vector<double> RunStatistics::load_series(std::size_t channel, const LoadWindow& window) const {
+  return series_.column(channel, window.first, window.last);
+}
+
+std::vector<double> RunStatistics::load_named(const std::string& name, const LoadWindow& window) const {
   const auto found = std::find(load_names_.begin(), load_names_.end(), name);
   NILAS_DEMAND(found != load_names_.end());
-  return load_series_[found - load_names_.begin()];
+  return load_series(static_cast<std::size_t>(found - load_names_.begin()), window);
 }
 
 std::optional<double> RunStatistics::mean_tow(const LoadWindow& window) const {
-  if (tow_.empty() || info_.course != sim::CourseKind::carriage) return std::nullopt;
-  return load_statistics(window.of(tow_)).mean;
+  if (steps_ == 0 || !columns_.has_tow || info_.course != sim::CourseKind::carriage) return std::nullopt;
+  return mean_of_tow(k_tow, window);
+}
+
+double RunStatistics::mean_of_tow(std::size_t column, const LoadWindow& window) const {
+  return load_statistics(SeriesPart(series_, columns_.tow).over(window, column)).mean;
+}
+
+TowForce RunStatistics::tow_force(const LoadWindow& window) const {
+  const LoadStatistics tow = load_statistics(SeriesPart(series_, columns_.tow).over(window, k_tow));
+  TowForce force;
+  force.mean = tow.mean;
+  force.std = tow.std;
+  force.ice = load_statistics(load_named("ice_resistance_N", window)).mean;
+  force.water = mean_of_tow(k_water, window);
+  force.others = mean_of_tow(k_others, window);
+  force.inertia = force.mean - force.ice - force.others - force.water;  // Newton's law along the course
+  for (std::size_t m = 0; m < info_.vessel_loads.size(); ++m) {
+    const double mean = mean_of_tow(k_tow_columns + m, window);
+    force.modules.emplace_back(info_.vessel_loads[m], mean);
+    force.inertia -= mean;
+  }
+  force.on_rods = !info_.rods.empty();
+  force.speed = mean_of_tow(k_speed, window);
+  return force;
 }
 
 std::optional<IceLoad> RunStatistics::ice_load(const TwinStatistics* twins) const {
@@ -238,8 +254,8 @@ std::optional<IceLoad> RunStatistics::ice_load(const TwinStatistics* twins) cons
   load.step = h_;
   load.rigid = info_.rigid_contacts;
   load.elastic = info_.elastic_contacts;
-  const auto component = [&](const char* name) {
-    ComponentLoad found = component_load(series_of(name), load.window, t_start_, h_, load.filter, error->ice_broke);
+  const auto component = [&](const char* name, const std::vector<double>& series) {
+    ComponentLoad found = component_load(series, load.window.from, h_, load.filter, error->ice_broke);
     for (const ChannelError& c : error->channels)
       if (c.channel == name) {
         found.statistics.mean = c.mean;
@@ -247,31 +263,15 @@ std::optional<IceLoad> RunStatistics::ice_load(const TwinStatistics* twins) cons
       }
     return found;
   };
-  load.along = component("ice_resistance_N");
-  load.across = component("ice_side_N");
+  const std::vector<double> along = load_named("ice_resistance_N", load.window);
+  load.along = component("ice_resistance_N", along);
+  load.across = component("ice_side_N", load_named("ice_side_N", load.window));
   load.touched = load.along.statistics.max > 0 || load.across.statistics.max > 0;
   load.filter = load.along.peak.filter;
-  const std::vector<double> along = load.window.of(series_of("ice_resistance_N"));
   load.in_largest = share_of_largest_percent(along);
   load.on_step = step_dependence(along, h_, load.filter, load.rigid);
   load.on_step.doubted = step_load_error().is_doubted();
-  if (mean_tow(load.window)) {
-    const LoadStatistics tow = load_statistics(load.window.of(tow_));
-    TowForce& force = load.tow.emplace();
-    force.mean = tow.mean;
-    force.std = tow.std;
-    force.ice = load_statistics(load.window.of(series_of("ice_resistance_N"))).mean;
-    force.water = load_statistics(load.window.of(water_)).mean;
-    force.others = load_statistics(load.window.of(others_)).mean;
-    force.inertia = force.mean - force.ice - force.others - force.water;  // Newton's law along the course
-    for (std::size_t m = 0; m < module_resistance_.size(); ++m) {
-      const double mean = load_statistics(load.window.of(module_resistance_[m])).mean;
-      force.modules.emplace_back(info_.vessel_loads[m], mean);
-      force.inertia -= mean;
-    }
-    force.on_rods = !info_.rods.empty();
-    force.speed = load_statistics(load.window.of(speed_)).mean;
-  }
+  if (mean_tow(load.window)) load.tow = tow_force(load.window);
   return load;
 }
 
@@ -280,32 +280,34 @@ StepLoadError RunStatistics::step_load_error() const {
   return step_loads_.error(info_, {t_start_, t_end_, 0, static_cast<std::size_t>(steps_), ""});
 }
 
+StructureLoad RunStatistics::structure_load(std::size_t structure) const {
+  const auto& names = structure_load_names();
+  const SeriesPart series(series_, columns_.structures + structure * names.size());
+  StructureLoad load;
+  load.name = info_.structures[structure].name;
+  load.ice.window = window_from(structure_first_ice_[structure], std::nullopt);
+  load.ice.filter = info_.peak_filter.value_or(default_peak_filter(info_.structures[structure].length));
+  load.ice.step = h_;
+  load.ice.touched = structure_first_ice_[structure] < k_never;
+  load.ice.rigid = info_.rigid_contacts;
+  load.ice.elastic = info_.elastic_contacts;
+  for (std::size_t c = 0; c < names.size(); ++c)
+    load.loads.emplace_back(names[c], component_load(series.over(load.ice.window, c), load.ice.window.from, h_,
+                                                     load.ice.filter, first_break_ - 0.5 * h_ < load.ice.window.to));
+  const std::size_t along_course = names.size() - k_num_course_loads;
+  load.ice.along = load.loads[along_course].second;
+  load.ice.across = load.loads.back().second;
+  load.ice.filter = load.ice.along.peak.filter;
+  const std::vector<double> along = series.over(load.ice.window, along_course);
+  load.ice.in_largest = share_of_largest_percent(along);
+  load.ice.on_step = step_dependence(along, h_, load.ice.filter, load.ice.rigid);
+  load.ice.on_step.doubted = step_load_error().is_doubted();
+  return load;
+}
+
 std::vector<StructureLoad> RunStatistics::structure_loads() const {
   std::vector<StructureLoad> all;
-  const auto& names = structure_load_names();
-  for (std::size_t k = 0; k < info_.structures.size(); ++k) {
-    StructureLoad load;
-    load.name = info_.structures[k].name;
-    load.ice.window = window_from(structure_first_ice_[k], std::nullopt);
-    load.ice.filter = info_.peak_filter.value_or(default_peak_filter(info_.structures[k].length));
-    load.ice.step = h_;
-    load.ice.touched = structure_first_ice_[k] < k_never;
-    load.ice.rigid = info_.rigid_contacts;
-    load.ice.elastic = info_.elastic_contacts;
-    for (std::size_t c = 0; c < names.size(); ++c)
-      load.loads.emplace_back(names[c],
-                              component_load(structure_series_[k * names.size() + c], load.ice.window, t_start_, h_,
-                                             load.ice.filter, first_break_ - 0.5 * h_ < load.ice.window.to));
-    load.ice.along = load.loads[names.size() - k_num_course_loads].second;
-    load.ice.across = load.loads.back().second;
-    load.ice.filter = load.ice.along.peak.filter;
-    const std::vector<double> along =
-        load.ice.window.of(structure_series_[(k + 1) * names.size() - k_num_course_loads]);
-    load.ice.in_largest = share_of_largest_percent(along);
-    load.ice.on_step = step_dependence(along, h_, load.ice.filter, load.ice.rigid);
-    load.ice.on_step.doubted = step_load_error().is_doubted();
-    all.push_back(std::move(load));
-  }
+  for (std::size_t k = 0; k < info_.structures.size(); ++k) all.push_back(structure_load(k));
   return all;
 }
 

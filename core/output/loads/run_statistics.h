@@ -2,6 +2,8 @@
 /// The statistics of a run: worst values, load series, time per phase. Source of summary.json and of the closing
 /// account.
 #include <array>
+#include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,6 +12,7 @@
 #include "core/output/loads/load_error.h"
 #include "core/output/loads/reaction_balance.h"
 #include "core/output/loads/step_load.h"
+#include "core/output/loads/step_series.h"
 #include "core/output/tables/vessel_channels.h"
 #include "core/output/text/slowdown.h"
 #include "core/sim/account/step_record.h"
@@ -29,9 +32,16 @@ struct Shortfalls {
   long uncorrected_steps = 0;  ///< the position correction ended above its tolerance
 };
 
+/// Worst values, sums and means follow each step. Loads and residuals of all steps stand in a table, of which figures
+/// over a window are made when they are asked for: one column at a time is then in memory.
 class RunStatistics {
  public:
-  explicit RunStatistics(const sim::RunInfo& info);
+  /// `file`: of the table, which stays in memory without one; `keep`: as in OutputFile, after which restore() must be
+  /// called. Functions that read or add to the table throw FileError.
+  explicit RunStatistics(const sim::RunInfo& info, const std::filesystem::path& file = {},
+                         std::optional<std::int64_t> keep = {});
+  /// The numbers of the table in each step. A run without any has no file.
+  static std::size_t numbers_per_step(const sim::RunInfo& info) { return Columns(info).count; }
 
   /// Notes the state before the first step.
   void start(double t, const sim::Ledger& ledger);
@@ -58,7 +68,8 @@ class RunStatistics {
   const ReactionBalance& reactions() const { return reactions_; }
 
   const std::vector<std::string>& load_names() const { return load_names_; }
-  const std::vector<double>& load_series(std::size_t channel) const { return load_series_[channel]; }
+  /// The values of a channel in the steps of a window.
+  std::vector<double> load_series(std::size_t channel, const LoadWindow& window) const;
   /// The window over which the vessel's loads are averaged.
   LoadWindow window() const;
   /// Averaging time of the vessel's filtered peaks [s].
@@ -76,31 +87,46 @@ class RunStatistics {
   /// Whole sentences why the last steps took longer than the first with ice; or empty.
   std::string slowdown() const;
   double step() const { return h_; }  ///< [s]
+  /// The file of the table, if it has one.
+  const OutputFile* file() const { return series_.file(); }
 
   void save(StateWriter out) const;
-  /// Restores a state. Throws InputError when it belongs to a run with other columns.
+  /// Restores a state. Throws InputError when it belongs to a run with other columns or the table's file has changed.
   void restore(const StateReader& in);
 
  private:
+  /// The first column of each group, and their number. The first columns are the load channels.
+  struct Columns {
+    explicit Columns(const sim::RunInfo& info);
+
+    bool has_tow = false;
+    std::size_t residuals = 0;
+    std::size_t tow = 0;         ///< on a carriage: those of TowColumn, then a resistance per entry of vessel_loads [N]
+    std::size_t structures = 0;  ///< one column per structure and load
+    std::size_t count = 0;
+  };
+  /// Columns of the tow: forces of carriage, water and others, and the speed [N, m/s].
+  enum TowColumn : std::size_t { k_tow, k_water, k_others, k_speed, k_tow_columns };
+
   void note(std::size_t column, double value, double t);
   void add_vessel(const sim::StepRecord& record, const std::vector<double>& vessel_values);
   void add_structures(const sim::StepRecord& record);
-  const std::vector<double>& series_of(const std::string& name) const;
+  std::vector<double> load_named(const std::string& name, const LoadWindow& window) const;
+  double mean_of_tow(std::size_t column, const LoadWindow& window) const;
+  TowForce tow_force(const LoadWindow& window) const;
+  StructureLoad structure_load(std::size_t structure) const;
   LoadWindow window_from(std::optional<double> first_ice, std::optional<double> ramp_end) const;
 
   sim::RunInfo info_;
   std::vector<Worst> worst_;
   std::vector<std::string> load_names_;
-  std::vector<std::vector<double>> load_series_;
-  LoadResiduals load_residuals_;
+  Columns columns_;
+  StepSeries series_;
+  std::vector<double> row_;  ///< of the step that is added
   StepLoads step_loads_;
-  std::vector<double> tow_, water_, others_,
-      speed_;  ///< loads and speed along the course, for a vessel on a carriage [N, m/s]
-  std::vector<std::vector<double>> module_resistance_;  ///< the same, one series per entry of RunInfo::vessel_loads [N]
-  double first_ice_ = k_never;    ///< start of the first step in which ice pressed on the vessel [s]
-  double first_break_ = k_never;  ///< end of the first step in which a floe broke [s]
-  std::vector<std::vector<double>> structure_series_;  ///< one series per structure and load
-  std::vector<double> structure_first_ice_;            ///< start of the first step with ice, one per structure [s]
+  double first_ice_ = k_never;               ///< start of the first step in which ice pressed on the vessel [s]
+  double first_break_ = k_never;             ///< end of the first step in which a floe broke [s]
+  std::vector<double> structure_first_ice_;  ///< start of the first step with ice, one per structure [s]
   StepCosts costs_;
   double processor_s_;  ///< processor time of the process at the end of the last step [s]
   double h_ = 0;        ///< [s]

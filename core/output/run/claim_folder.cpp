@@ -32,7 +32,7 @@ const std::vector<std::string>& own_files() {
   static const std::vector<std::string> names{"scene.xml",   "vessel.csv",     "structures.csv", "steps.csv",
                                               "contacts.h5", "trajectory.pvd", "events.csv",     "replay.bin",
                                               "replay.html", "report.html",    "summary.json",   "bodies.csv",
-                                              k_log,         "checkpoint.h5",  "parts.csv"};
+                                              k_log,         "checkpoint.h5",  "parts.csv",      "statistics.bin"};
   return names;
 }
 

@@ -25,13 +25,20 @@ static std::optional<std::int64_t> kept_bytes(const StateReader* from, const std
   return bytes;
 }
 
+constexpr const char* k_statistics_file = "statistics.bin";
+
+/// The same for the file of the statistics, which a run without numbers for them does not have.
+static std::optional<std::int64_t> kept_statistics(const sim::RunInfo& info, const StateReader* from) {
+  return RunStatistics::numbers_per_step(info) > 0 ? kept_bytes(from, k_statistics_file) : std::nullopt;
+}
+
 struct RunFolder::Outputs {
   Outputs(const std::filesystem::path& folder, const scene::Scene& scene, const sim::RunInfo& run_info,
           WarningCounts& counts, const StateReader* from)
       : info(run_info),
         warnings(counts),
         channels(info),
-        statistics(info),
+        statistics(info, folder / k_statistics_file, kept_statistics(info, from)),
         steps(folder / "steps.csv", info, kept_bytes(from, "steps.csv")),
         problems(folder, scene.output.problems, scene.contact.integrator != Integrator::reference),
         snapshot_every(scene.output.trajectory_every),
@@ -79,6 +86,7 @@ struct RunFolder::Outputs {
     if (trajectory) call("trajectory.pvd", trajectory->list());
     if (replay) call("replay.bin", replay->file());
     if (events) call("events.csv", events->file());
+    if (statistics.file() != nullptr) call(k_statistics_file, *statistics.file());
   }
 
   void save(StateWriter out) const {
@@ -276,6 +284,9 @@ nlohmann::ordered_json RunFolder::finish(SummaryInput input, const bodies::Bodie
   input.floes_end = std::count(bodies.kind.begin(), bodies.kind.end(), bodies::BodyKind::floe);
   auto summary = summary_json(out.info, out.statistics, input);
   write_summary_json(summary_file(), summary);
+  // Only a run that goes on needs it. What is open can still be read.
+  std::error_code error;
+  if (!std::filesystem::exists(checkpoint_file(), error)) std::filesystem::remove(path_ / k_statistics_file, error);
   return summary;
 }
 

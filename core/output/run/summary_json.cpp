@@ -67,8 +67,8 @@ Json loads_json(const RunStatistics& statistics) {
   Json loads = Json::object();
   const LoadWindow window = statistics.window();
   for (std::size_t c = 0; c < statistics.load_names().size(); ++c) {
-    const ComponentLoad load = component_load(statistics.load_series(c), window, statistics.start_time(),
-                                              statistics.step(), statistics.peak_filter());
+    const ComponentLoad load =
+        component_load(statistics.load_series(c, window), window.from, statistics.step(), statistics.peak_filter());
     const LoadStatistics& s = load.statistics;
     loads[statistics.load_names()[c]] = {{"mean", s.mean},
                                          {"std", s.std},

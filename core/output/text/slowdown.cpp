@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <numeric>
 
 namespace nilas::output {
@@ -11,38 +12,48 @@ namespace {
 constexpr double k_told_from = 1.5;                  // ratio of step times
 constexpr double k_waits = 1.25;                     // wall time over processor time
 constexpr std::size_t k_quarters = 4, k_least = 20;  // least number of steps in a quarter
+constexpr std::size_t k_most = 1024;                 // stretches
 constexpr double k_shortest_told_ms = 2000;          // time of all steps
-
-/// Means over the first and the last quarter of a series from `first` on.
-struct Ends {
-  double early = 0, late = 0;
-  double ratio() const { return early > 0 ? late / early : 0; }
-};
-
-Ends ends(const std::vector<double>& series, std::size_t first) {
-  const std::size_t length = (series.size() - first) / k_quarters;
-  const auto mean = [&](std::size_t from) {
-    const auto begin = series.begin() + static_cast<std::ptrdiff_t>(from);
-    return std::accumulate(begin, begin + static_cast<std::ptrdiff_t>(length), 0.0) / static_cast<double>(length);
-  };
-  return {mean(first), mean(series.size() - length)};
-}
 
 }  // namespace
 
 void StepCosts::add(const sim::StepRecord& record, double processor_ms) {
-  ms_.push_back(std::accumulate(record.ms.begin(), record.ms.end(), 0.0));
-  processor_ms_.push_back(processor_ms);
-  solver_ms_.push_back(record.ms[static_cast<std::size_t>(sim::Phase::solver)]);
-  fracture_ms_.push_back(record.ms[static_cast<std::size_t>(sim::Phase::fracture)]);
-  contacts_.push_back(record.contacts);
-  iterations_.push_back(record.iterations);
+  if (steps_ == length_ * stretches_.size()) {
+    if (stretches_.size() == k_most) {
+      for (std::size_t k = 0; k < k_most / 2; ++k)
+        for (std::size_t c = 0; c < k_costs; ++c) stretches_[k][c] = stretches_[2 * k][c] + stretches_[2 * k + 1][c];
+      stretches_.resize(k_most / 2);
+      length_ *= 2;
+    }
+    stretches_.emplace_back();
+  }
+  ++steps_;
+  Sums& sums = stretches_.back();
+  sums[k_ms] += std::accumulate(record.ms.begin(), record.ms.end(), 0.0);
+  sums[k_processor_ms] += processor_ms;
+  sums[k_solver_ms] += record.ms[static_cast<std::size_t>(sim::Phase::solver)];
+  sums[k_fracture_ms] += record.ms[static_cast<std::size_t>(sim::Phase::fracture)];
+  sums[k_contacts] += record.contacts;
+  sums[k_iterations] += record.iterations;
+}
+
+StepCosts::Ends StepCosts::ends(Cost cost, std::size_t first) const {
+  const std::size_t count = (stretches_.size() - first) / k_quarters;
+  const auto mean = [&](std::size_t from) {
+    double sum = 0;
+    for (std::size_t k = from; k < from + count; ++k) sum += stretches_[k][cost];
+    return sum / static_cast<double>(std::min(length_ * (from + count), steps_) - length_ * from);
+  };
+  return {mean(first), mean(stretches_.size() - count)};
 }
 
 std::string StepCosts::slowdown(std::size_t first) const {
-  if (first + k_quarters * k_least > ms_.size()) return "";
-  const Ends ms = ends(ms_, first), processor = ends(processor_ms_, first);
-  if (std::accumulate(ms_.begin(), ms_.end(), 0.0) < k_shortest_told_ms || ms.ratio() < k_told_from) return "";
+  const std::size_t from = first / length_;
+  if (first + k_quarters * k_least > steps_ || from + k_quarters > stretches_.size()) return "";
+  const Ends ms = ends(k_ms, from), processor = ends(k_processor_ms, from);
+  double all_ms = 0;
+  for (const Sums& sums : stretches_) all_ms += sums[k_ms];
+  if (all_ms < k_shortest_told_ms || ms.ratio() < k_told_from) return "";
   std::string text = fmt::format(
       "Steps of the last quarter took {:.3g} times as long as those of the first: {:.0f} ms instead of {:.0f} ms, with "
       "{:.0f} ms of processor time instead of {:.0f} ms.",
@@ -50,12 +61,12 @@ std::string StepCosts::slowdown(std::size_t first) const {
   // On a free machine at least one thread computes at any time, whatever their number.
   const bool waited = ms.late > k_waits * processor.late;
   if (waited) text += " The machine was busy with other work, or its disk was slow.";
-  return waited && processor.ratio() < k_told_from ? text : text + " " + causes(first);
+  return waited && processor.ratio() < k_told_from ? text : text + " " + causes(from);
 }
 
 std::string StepCosts::causes(std::size_t first) const {
-  const Ends ms = ends(ms_, first), solver = ends(solver_ms_, first), fracture = ends(fracture_ms_, first);
-  const Ends contacts = ends(contacts_, first), iterations = ends(iterations_, first);
+  const Ends ms = ends(k_ms, first), solver = ends(k_solver_ms, first), fracture = ends(k_fracture_ms, first);
+  const Ends contacts = ends(k_contacts, first), iterations = ends(k_iterations, first);
   constexpr double k_percent = 100;
   const double added = ms.late - ms.early;
   std::string text = fmt::format(
@@ -69,21 +80,15 @@ std::string StepCosts::causes(std::size_t first) const {
 }
 
 void StepCosts::save(StateWriter out) const {
-  out.add("ms", ms_);
-  out.add("processor_ms", processor_ms_);
-  out.add("solver_ms", solver_ms_);
-  out.add("fracture_ms", fracture_ms_);
-  out.add("contacts", contacts_);
-  out.add("iterations", iterations_);
+  out.add("stretches", stretches_);
+  out.add("length", length_);
+  out.add("steps", steps_);
 }
 
-void StepCosts::restore(const StateReader& in, std::size_t steps) {
-  in.get("ms", ms_, steps);
-  in.get("processor_ms", processor_ms_, steps);
-  in.get("solver_ms", solver_ms_, steps);
-  in.get("fracture_ms", fracture_ms_, steps);
-  in.get("contacts", contacts_, steps);
-  in.get("iterations", iterations_, steps);
+void StepCosts::restore(const StateReader& in) {
+  in.get("stretches", stretches_);
+  in.get("length", length_);
+  in.get("steps", steps_);
 }
 
 }  // namespace nilas::output

@@ -59,7 +59,8 @@ TEST(RunStatistics, GoOnAsSaved) {
   EXPECT_EQ(rest.shortfalls().unconverged_steps, whole.shortfalls().unconverged_steps);
   EXPECT_TRUE(std::isnan(rest.worst("imbalance_J").value)) << "the first value that is no number stays the worst";
   EXPECT_EQ(rest.worst("imbalance_J").time, whole.worst("imbalance_J").time);
-  for (std::size_t c = 0; c < whole.load_names().size(); ++c) EXPECT_EQ(rest.load_series(c), whole.load_series(c));
+  for (std::size_t c = 0; c < whole.load_names().size(); ++c)
+    EXPECT_EQ(rest.load_series(c, rest.window()), whole.load_series(c, whole.window()));
 
   sim::RunInfo other = full_run();
   other.work_names.pop_back();
@@ -103,7 +104,7 @@ TEST(RunStatistics, KeepsTheWorstWithItsTime) {
   EXPECT_EQ(statistics.worst("natural_map_m_s").value, 3);
   EXPECT_DOUBLE_EQ(statistics.worst("momentum_imbalance_relative").value, 1e-13 / 2);
   EXPECT_EQ(statistics.steps(), 3);
-  EXPECT_EQ(statistics.load_series(0).size(), 3u);
+  EXPECT_EQ(statistics.load_series(0, statistics.window()).size(), 3u);
   EXPECT_EQ(statistics.mean_ms(sim::Phase::detection), 2);
 }
 

@@ -195,6 +195,58 @@ TEST(RunFolder, SummaryTellsTheRun) {
   EXPECT_EQ(summary["machine"], "2 cores");
 }
 
+/// 2048 steps fill four blocks of the statistics.
+TEST(RunFolder, KeepsTheNumbersOfManyStepsInAFileAndNotInTheCheckpoint) {
+  const ScratchFolder scratch;
+  const sim::CheckpointOrigin origin{"test", "build", "sample"};
+  SampleRun whole(scratch / "whole");
+  std::vector<std::uintmax_t> checkpoints;
+  const auto vary = [](SampleRun& run) {
+    run.record.vessel->contact.force.x() = std::sin(0.1 * static_cast<double>(run.done));
+  };
+  const auto record = [&](SampleRun& run, int count) {
+    for (int k = 0; k < count; ++k) {
+      vary(run);
+      run.steps(1);
+    }
+  };
+  SampleRun rest(scratch / "elsewhere");
+  for (SampleRun* run : {&whole, &rest}) {
+    run->scene.output.trajectory_every = 0;
+    run->scene.output.contacts = StoredContacts::none;
+  }
+  whole.begin();
+  for (int k = 0; k < 4; ++k) {
+    record(whole, StepSeries::k_block);
+    whole.folder.write_checkpoint(origin, {});
+    checkpoints.push_back(fs::file_size(whole.folder.checkpoint_file()));
+  }
+  EXPECT_EQ(checkpoints[3], checkpoints[1]);
+  const auto block = StepSeries::k_block * sizeof(double) * RunStatistics::numbers_per_step(whole.info);
+  EXPECT_EQ(fs::file_size(scratch / "whole/statistics.bin"), 4 * block);
+
+  const State state = sim::read_checkpoint(whole.folder.checkpoint_file(), origin);
+  fs::create_directory(scratch / "cut");
+  for (const char* file : {"steps.csv", "vessel.csv", "statistics.bin", "nilas.log"})
+    fs::copy_file(scratch.path() / "whole" / file, scratch.path() / "cut" / file);
+  std::ofstream(scratch / "cut/statistics.bin", std::ios::app) << std::string(block + 9, 'x');
+  RunFolder cut(scratch / "cut", RunLock(scratch / "cut"));
+  cut.resume(rest.scene, rest.info, rest.warnings, StateReader(state).group("outputs"));
+  rest.done = whole.done;
+  record(whole, 700);
+  for (int k = 0; k < 700; ++k) {
+    vary(rest);
+    rest.record.step = ++rest.done;
+    rest.record.t = static_cast<double>(rest.done) * rest.record.h;
+    cut.record(rest.record, {rest.solved}, rest.bodies);
+  }
+  EXPECT_EQ(read_text(scratch / "cut/statistics.bin"), read_text(scratch / "whole/statistics.bin"));
+  const auto loads = whole.folder.finish({}, whole.bodies)["loads"];
+  EXPECT_EQ(cut.finish({}, rest.bodies)["loads"], loads);
+  EXPECT_TRUE(fs::exists(scratch / "whole/statistics.bin")) << "its checkpoint needs it";
+  EXPECT_FALSE(fs::exists(scratch / "cut/statistics.bin")) << "it cannot be resumed";
+}
+
 /// Goes on in a folder that holds more than the checkpoint: half a row, frames of later steps.
 TEST(RunFolder, GoesOnFromItsCheckpoint) {
   const ScratchFolder scratch;

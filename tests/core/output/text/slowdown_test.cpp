@@ -53,6 +53,31 @@ TEST(Slowdown, FewerThreadsAtWorkAreNoOtherWork) {
   EXPECT_NE(text.find("The solver took 100 % of the time added"), std::string::npos) << text;
 }
 
+/// Memory does not grow with the steps, and the figures stay the same: 5 ms or 45 ms in the steps of a quarter.
+TEST(Slowdown, OfALongRunIsToldFromStretchesOfSteps) {
+  StepCosts costs;
+  constexpr int k_steps = 100'003, k_before = 50'000;
+  std::vector<std::size_t> sizes;
+  for (int k = 0; k < k_steps; ++k) {
+    costs.add(step(k < k_before ? 5 : 45, k < k_before ? 10 : 300), k < k_before ? 10 : 50);
+    if (k % 20'000 != 19'999) continue;
+    State state;
+    costs.save(StateWriter(state));
+    sizes.push_back(std::get<std::vector<double>>(state.entries.at("stretches")).size());
+    costs = StepCosts();
+    costs.restore(StateReader(state));
+  }
+  for (const std::size_t size : sizes) EXPECT_LE(size, 1024u * 6);
+  const std::string text = costs.slowdown(0);
+  EXPECT_NE(text.find("5 times as long as those of the first: 50 ms instead of 10 ms, with 50 ms of"),
+            std::string::npos)
+      << text;
+  EXPECT_NE(text.find("300 contacts per step instead of 10, and 600 iterations instead of 20"), std::string::npos)
+      << text;
+  EXPECT_EQ(costs.slowdown(k_before + 200), "") << "from there on nothing changed";
+  EXPECT_EQ(costs.slowdown(k_steps - 100), "") << "less than four stretches";
+}
+
 TEST(Slowdown, SaysNothingOfShortRuns) {
   StepCosts costs;
   for (int k = 0; k < 100; ++k) costs.add(step(k < 50 ? 0.1 : 5, 1), 10);
