@@ -4,10 +4,12 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <numeric>
 #include <span>
 #include <utility>
 
 #include "contact/measure/measure.h"
+#include "contact/problem/reducible.h"
 #include "contact/problem/row_of.h"
 #include "contact/solvers/bodies/body_system.h"
 #include "contact/solvers/bodies/interior_on_bodies.h"
@@ -261,11 +263,14 @@ class BodyClimb {
 /// Products of blocks from which on it is asked whether W is factorised in less time.
 constexpr double k_many_products = 5e5;
 
-/// Whether a factorisation of W takes less time than one of the bodies. In W contacts that stay open are left out. It
-/// has k rows of 3 x 3 blocks, one for each contact that closes, where a body has one of 6 x 6. So it takes k^3 times
-/// as many products as the bodies that these contacts join, each of an eighth of the work.
+/// Whether W can be formed and one of its factorisations takes less time than one of the bodies. In W contacts that
+/// stay open are left out. It has k rows of 3 x 3 blocks, one for each contact that closes, where a body has one of 6
+/// x 6. So it takes k^3 times as many products as the bodies that these contacts join, each of an eighth of the work.
 bool is_quicker_on_w(const contact::PreparedProblem& island, const BodyIsland& bodies, const NodePlan& plan,
                      const VecX& r) {
+  std::vector<int> all(static_cast<std::size_t>(bodies.num_contacts()));
+  std::iota(all.begin(), all.end(), 0);
+  if (!contact::is_reducible(island.problem(), all)) return false;
   const std::vector<char> closes = closing_contacts(island, r);
   std::vector<char> is_joined(static_cast<std::size_t>(bodies.num_nodes()));
   for (int c = 0; c < bodies.num_contacts(); ++c)
