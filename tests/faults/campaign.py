@@ -110,12 +110,18 @@ def try_all(bench: Bench, store: Path, options: argparse.Namespace, end: float) 
 def try_slice(bench: Bench, work: Path, options: argparse.Namespace, end: float) -> list[dict]:
     """Some faults at the same calls each time, a loss of power and a kill of a run: for the tests.
 
-    A write to contacts.h5 fails in a resumed run, whose first file of HDF5 is one that it reads.
+    A write to contacts.h5 fails in a resumed run, whose first file of HDF5 is one that it reads, and a run of a
+    comparison cannot be started.
     """
     rows = []
     kinds = "open,read,write,sync,rename,memory"
-    in_contacts = {"of": "resume", "most": 1, "kinds": "write", "at": 56}
-    ways = ({"most": 1, "kinds": kinds, "at": 20}, in_contacts, {"at": 120, "power": True}, {"kills": 1})
+    ways: tuple[dict[str, object], ...] = (
+        {"most": 1, "kinds": kinds, "at": 20},
+        {"of": "resume", "most": 1, "kinds": "write", "at": 56},
+        {"of": "compare", "most": 1, "kinds": "process", "at": 8},
+        {"at": 120, "power": True},
+        {"kills": 1},
+    )
     for number, way in enumerate(ways):
         chosen = argparse.Namespace(**(vars(options) | {"of": "run"} | way))
         rows += try_all(bench, work / f"store-{number}", chosen, end)[1]

@@ -39,6 +39,7 @@ Probe probe(const SceneRun& run, double start, double limit_s, int beside, const
   Probe found;
   found.exit_code = ended.exit_code;
   const RunResult result = read_run(run.folder, run.log, ended);
+  if (ended.exit_code == k_exit_not_started) throw FileError(own_program().string() + ": " + result.cause);
   if (!ended.timed_out) found.trouble = result.cause;
   found.window_from = run_end(result, start).window_from_s;
   StepTimes times = read_step_times(run.folder);

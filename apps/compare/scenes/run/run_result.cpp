@@ -36,6 +36,9 @@ void judge_exit(const ChildResult& ended, const std::filesystem::path& log, RunR
   } else if (ended.exit_code > k_exit_signal && ended.exit_code != exit_interrupted) {
     result.status = "crashed";
     result.cause = fmt::format("signal {}", ended.exit_code - k_exit_signal);
+  } else if (ended.exit_code == k_exit_not_started) {
+    result.status = "failed";
+    result.cause = "the program cannot be started again";
   } else if (ended.exit_code != 0) {
     result.status = "failed";
     result.cause = fmt::format("exit code {}: {}", ended.exit_code, last_words(log));

@@ -104,7 +104,7 @@ class Scheduler {
     RunResult result = read_run(folder, store_.run_folder(run.id + ".log"), ended);
     if (run.id == "s00-r0") result.first_steps_ms = first_steps_ms(folder);
     judge_end(run, result);
-    if (ended.exit_code == exit_file) {
+    if (ended.exit_code == exit_file || ended.exit_code == k_exit_not_started) {
       note_file_error("run " + run.id + ": " + result.cause);
       result.status = "interrupted";
     }
