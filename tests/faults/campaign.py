@@ -27,7 +27,7 @@ import power  # noqa: E402
 from commands import COMMANDS, Bench, Command, bench_for, carry_out, prepared  # noqa: E402
 from interpose import Plan  # noqa: E402
 from judge import fault_of  # noqa: E402
-from plans import KINDS, plans  # noqa: E402
+from plans import KINDS, plans, share_of_time  # noqa: E402
 
 ROOT = Path(__file__).resolve().parents[2]
 COLUMNS = ("command", "kind", "calls", "tried", "not_reached", "same", "refused", "mended", "bad")
@@ -68,12 +68,6 @@ def try_case(bench: Bench, command: Command, plan: Plan, row: Counter[str]) -> N
         row["bad"] += 1
         told = "; ".join(text for text in (fault, worse) if text)
         print(f"BAD {command.name}: {plan.text()} ({ended.where()}): {told}", flush=True)
-
-
-def share_of_time(end: float, shares: int) -> float:
-    """When the first of so many equal shares of the time until the end is over."""
-    now = time.monotonic()
-    return now + max(0.0, end - now) / shares
 
 
 def try_command(name: str, bench: Bench, store: Path, options: argparse.Namespace, end: float) -> list[dict]:

@@ -1,9 +1,10 @@
-"""Chooses which calls fail, and how."""
+"""Chooses which calls fail, how, and in which time."""
 
 from __future__ import annotations
 
 import errno
 import random
+import time
 from collections.abc import Iterator
 
 from interpose import Plan
@@ -57,3 +58,9 @@ def _spread(kind: str, calls: int, most: int, chance: random.Random) -> Iterator
     for k in range(most):
         at = 1 + int(calls * (k + chance.random()) / most)
         yield Plan(kind, at, str(_ERRORS[kind][0]), lasting=kind in _LASTING and k % 2 == 1)
+
+
+def share_of_time(end: float, shares: int) -> float:
+    """When the first of so many equal shares of the time until the end is over."""
+    now = time.monotonic()
+    return now + max(0.0, end - now) / shares

@@ -11,6 +11,7 @@ from pathlib import Path
 
 from commands import Bench, Command, prepared
 from interpose import Plan
+from plans import share_of_time
 
 COLUMNS = ("command", "disk", "changes", "tried", "mended", "bad")
 # What the disk holds. cut: all names, and the content of files as of their last flush. zeros: the same, with the length
@@ -23,19 +24,18 @@ def campaign(
 ) -> tuple[tuple[str, ...], list[dict]]:
     """Each change of each command, or as many as `--most`; a row for each command and disk."""
     rows = []
-    for name in options.of.split(","):
-        if name == "report":
-            continue
+    names = [name for name in options.of.split(",") if name != "report"]
+    for k, name in enumerate(names):
+        its_end = share_of_time(end, len(names) - k)
         command = prepared(name, bench, store)
         bench.put_back(command.out, command.before)
         changes = bench.runner.run(bench.words(command.words)).calls["change"]
         chance = random.Random(f"{options.seed} power {name}")
         places = [options.at] if options.at else list(range(1, changes + 1))
-        if len(places) > options.most:
-            places = sorted(chance.sample(places, options.most))
+        places = chance.sample(places, min(len(places), options.most))
         counts: dict[str, Counter[str]] = {disk: Counter() for disk in DISKS}
         for at in places:
-            if time.monotonic() < end:
+            if time.monotonic() < its_end:
                 _lose(bench, command, at, counts)
         for disk in DISKS:
             rows.append({"command": name, "disk": disk, "changes": changes, **counts[disk]})
