@@ -4,8 +4,8 @@
 ///
 /// - files/I: the content of the file with inode I when it was last flushed;
 /// - kept/: further names of removed files, so that no other file gets their inode;
-/// - journal: a line `F I PATH` for each flushed file, `D PATH` for each flushed folder, and after it `E I NAME` for
-/// each of its files and `S I NAME` for each of its folders.
+/// - journal: a line `F I PATH` for each flushed file, `D PATH` for each flushed folder, and after that `E I NAME` for
+///   each of its files and `S I NAME` for each of its folders.
 
 namespace nilas_faults {
 
