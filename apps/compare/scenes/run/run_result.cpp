@@ -11,6 +11,7 @@
 #include "core/base/csv.h"
 #include "core/base/error.h"
 #include "core/base/statistics.h"
+#include "core/output/file/flush.h"
 #include "core/sim/account/step_record.h"
 
 namespace nilas::compare {
@@ -106,6 +107,13 @@ RunResult read_run(const std::filesystem::path& folder, const std::filesystem::p
   if (!columns[0].empty()) result.stabilisation_J = columns[0].back();
   result.penetration_mean_m = mean_of(columns[1]);
   return result;
+}
+
+void put_on_disk(const std::filesystem::path& folder) {
+  output::UnflushedFiles files(true);
+  for (const char* file : {"ice_load.csv", "bodies.csv"}) files.add(folder / file);
+  files.flush();
+  output::flush_names(folder.parent_path());
 }
 
 void thin_out(const std::filesystem::path& folder) {

@@ -35,6 +35,9 @@ RunResult run_result_from(const nlohmann::ordered_json& json);
 /// Reads the result of a run from its folder, with its exit code and processor time.
 RunResult read_run(const std::filesystem::path& folder, const std::filesystem::path& log, const ChildResult& ended);
 
+/// Puts on the disk what a comparison reads again from the folder of a run that is done, so that its result is not
+/// there alone after a loss of power. Throws FileError.
+void put_on_disk(const std::filesystem::path& folder);
 /// Removes from a run folder what is large and no longer needed: all but the scene with its inputs, the log,
 /// summary.json, bodies.csv and ice_load.csv.
 void thin_out(const std::filesystem::path& folder);

@@ -108,7 +108,11 @@ class Scheduler {
       note_file_error("run " + run.id + ": " + result.cause);
       result.status = "interrupted";
     }
-    if (result.done() && !kept([&] { keep_load_series(folder); })) result.status = "interrupted";
+    const auto keep = [&] {
+      keep_load_series(folder);
+      put_on_disk(folder);
+    };
+    if (result.done() && !kept(keep)) result.status = "interrupted";
     made_[run.id] = result;
     if (result.status == "budget") session_.late.push_back(run.id);
     // runs that were interrupted or that the budget ended are made again when the comparison is resumed
