@@ -178,7 +178,7 @@ steps, meshes, field (broken ice that may and may not break), TWINS=n (2); load-
 load holds in level ice, RUNS=10 of each setting until UNTIL=4.6 s; load-statistics: convergence of peaks, coverage of stated
 errors and of return levels, on JOBS=2 cores, goes on where it was stopped; hull: wedge, cone, moon-pool, semi-submersible, ship-with-bulb,
 on THREADS (all cores), ends with 1 where 18 000 triangles take over 60 s or parts stand further off than recorded; cut: CUTS=100000 random cuts of floes; replay: sizes 100, 1000 and 10000 floes, in Chromium;
-size: SIZES in floes (1e6 would take 21 GB), STEPS=6 of each, LAYOUT=closed for floes that touch on all sides;
+size: SIZES in floes (1e6 takes 18 GB and a quarter of an hour), STEPS=6 of each, LAYOUT=closed for floes that touch on all sides;
 ROUNDS=n: how often packed (3), threads and collision peers (5) are measured; THREADS=n;
 LIMIT=s: seconds that a solver has for a problem (solvers 5, scaling 60) or a scene (exact 600, MuJoCo in it 300);
 PYTHON=python3: one with the packages mujoco and numpy adds MuJoCo to exact; NILAS_FCLIB_DIR: a folder of further problems for solvers" ;;
