@@ -155,6 +155,8 @@ constexpr int k_most_factorisations = 40;
 constexpr int k_large_group = 300;
 /// Most iterations there; such fields take three to six.
 constexpr int k_most_on_bodies = 100;
+/// Points of a group from which on newton on W is not tried after that.
+constexpr int k_too_large_for_w = 3000;
 
 /// Finishes the groups that the sweeps leave short.
 class GroupFinish {
@@ -193,8 +195,9 @@ class GroupFinish {
     const PreparedProblem prepared(own);
     if (own.num_contacts() >= k_large_group) {
       const SolverSettings shared{.tolerance = settings_.tolerance, .max_iterations = k_most_on_bodies};
-      if (const auto found = solvers::solve_on_bodies(prepared, guess, shared, solvers::Budget(shared)))
-        return found->has_converged ? std::optional(found->r) : std::nullopt;
+      const auto found = solvers::solve_on_bodies(prepared, guess, shared, solvers::Budget(shared));
+      if (found && found->has_converged) return found->r;
+      if (own.num_contacts() >= k_too_large_for_w) return {};
     }
     solvers::NewtonSettings newton;
     newton.shared.tolerance = settings_.tolerance;

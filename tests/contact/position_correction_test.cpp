@@ -204,7 +204,7 @@ TEST(PositionCorrection, NewtonFinishesWhatSweepsLeaveShort) {
 }
 
 /// Each of many cubes must leave the one before at its own speed, so that the last one moves at the sum of them all.
-TEST(PositionCorrection, LargeGroupsAreFinishedOnTheirBodies) {
+TEST(PositionCorrection, LargeGroupsAreFinished) {
   RandomStream random(5, "depths");
   std::vector<double> depths(400);
   for (double& depth : depths) depth = random.uniform(0.002, 0.02);

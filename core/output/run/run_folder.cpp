@@ -286,7 +286,8 @@ nlohmann::ordered_json RunFolder::finish(SummaryInput input, const bodies::Bodie
   write_summary_json(summary_file(), summary);
   // Only a run that goes on needs it. What is open can still be read.
   std::error_code error;
-  if (!std::filesystem::exists(checkpoint_file(), error)) std::filesystem::remove(path_ / k_statistics_file, error);
+  const bool goes_on = std::filesystem::exists(checkpoint_file(), error);
+  if (!goes_on && !error) std::filesystem::remove(path_ / k_statistics_file, error);
   return summary;
 }
 

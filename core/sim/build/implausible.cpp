@@ -252,7 +252,7 @@ class Doubts {
       const double smaller = std::min(bodies.shape[c.a]->bounding_radius, bodies.shape[c.b]->bounding_radius);
       if (-c.gap <= k_slight * smaller) continue;
       doubt("contact", fmt::format("'{}' and '{}' overlap by {:g} m at the start; integrator reference removes no "
-                                   "overlap, and its energy ledger does not close",
+                                   "overlap, and its energy ledger may not close",
                                    bodies.name[c.a], bodies.name[c.b], -c.gap));
       return;
     }

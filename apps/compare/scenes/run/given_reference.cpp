@@ -43,6 +43,7 @@ void take_reference(SceneStudy& study, const SceneStore& folder, std::map<std::s
         std::filesystem::copy_file(from / file, target / file, std::filesystem::copy_options::overwrite_existing);
     keep_load_series(target);
     std::filesystem::remove(target / "vessel.csv");
+    put_on_disk(target);
     folder.write_result(run.id, result);
     if (std::none_of(runs.begin(), runs.end(), [&](const PlannedRun& other) { return other.id == run.id; }))
       runs.push_back(run);
