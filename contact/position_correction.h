@@ -39,8 +39,8 @@ struct PositionCorrection {
 /// normal rows in mass-scaled velocities (solvers/shared/pgs_rows.h), or a frictionless ContactProblem. Sweeps need
 /// thousands of rounds where heavy bodies press through light ones; there newton takes a few factorisations, or the
 /// interior point on the bodies (solvers/body_ladder.h) a few iterations. Bodies form groups that are joined by contact
-/// points, but not through immovable bodies. Points that crush or are elastic take no part. Groups without a depth above
-/// slop + tolerance h/erp are left out. `points` are those from which `contacts` was assembled.
+/// points, but not through immovable bodies. Points that crush or are elastic take no part. Groups without a depth
+/// above slop + tolerance h/erp are left out. `points` are those from which `contacts` was assembled.
 PositionCorrection position_correction(const AssembledContacts& contacts,
                                        const std::vector<detect::ContactPoint>& points,
                                        const CorrectionSettings& settings);
