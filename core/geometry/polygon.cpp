@@ -90,6 +90,22 @@ bool contains(const std::vector<Vec2>& outline, const Vec2& point) {
   return inside;
 }
 
+double width_behind(const std::vector<Vec2>& outline, int i) {
+  const auto n = static_cast<int>(outline.size());
+  const Vec2 along = outline[(i + 1) % n] - outline[i], middle = outline[i] + 0.5 * along;
+  const Vec2 inwards = Vec2(-along.y(), along.x()).normalized();
+  double width = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < n; ++k) {
+    if (k == i) continue;
+    const Vec2 from = outline[k] - middle, to = outline[(k + 1) % n] - middle;
+    const double right = cross2(inwards, from), left = cross2(inwards, to);
+    if (!(right <= 0 && left > 0) && !(right > 0 && left <= 0)) continue;
+    const double way = (inwards.dot(from) * left - inwards.dot(to) * right) / (left - right);
+    if (way > 0) width = std::min(width, way);
+  }
+  return width;
+}
+
 std::vector<Vec2> convex_hull(std::vector<Vec2> points) {
   std::sort(points.begin(), points.end(),
             [](const Vec2& a, const Vec2& b) { return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y()); });

@@ -34,6 +34,42 @@ std::vector<Vec2> turning_points(const std::vector<Vec2>& outline, const std::ve
   return turning;
 }
 
+/// The longest side of a convex piece that is a side of the outline, by its first vertex; -1: all are cuts.
+int longest_outer_side(const std::vector<Vec2>& outline, const std::vector<int>& piece) {
+  const auto n = static_cast<int>(outline.size());
+  int longest = -1;
+  double most = 0;
+  for (std::size_t k = 0; k < piece.size(); ++k) {
+    const int from = piece[k], to = piece[(k + 1) % piece.size()];
+    const double length = (outline[to] - outline[from]).norm();
+    if (to != (from + 1) % n || length <= most) continue;
+    longest = from;
+    most = length;
+  }
+  return longest;
+}
+
+/// Ice that is narrower than this share of its thickness is a needle, as cracks that meet under rounding leave them.
+/// Nothing is lost where a body passes it.
+constexpr double k_needle = 1e-3;
+
+/// The smallest width of the ice where the sides of one of several convex pieces bound it; infinite for needles and for
+/// pieces that only cuts bound. Behind a sliver, as cuts along a curved crack leave them, the ice goes on.
+double width_of_ice(const std::vector<Vec2>& outline, const std::vector<int>& piece, const ConvexPolytope& part,
+                    double thickness) {
+  constexpr double k_none = std::numeric_limits<double>::infinity();
+  const int side = longest_outer_side(outline, piece);
+  if (side < 0) return k_none;
+  const double width = std::max(part.smallest_width, width_behind(outline, side));
+  return width > k_needle * thickness ? width : k_none;
+}
+
+double smallest_width_of(const std::vector<ConvexPolytope>& parts) {
+  double width = std::numeric_limits<double>::infinity();
+  for (const auto& part : parts) width = std::min(width, part.smallest_width);
+  return width;
+}
+
 }  // namespace
 
 Shape prism_shape(const std::vector<Vec2>& outline, double thickness) {
@@ -43,9 +79,15 @@ Shape prism_shape(const std::vector<Vec2>& outline, double thickness) {
   s.kind = ShapeKind::prism;
   s.outline = outline;
   s.thickness = thickness;
-  for (const auto& piece : pieces)
-    if (const auto loop = turning_points(outline, piece); loop.size() >= 3)
-      s.parts.push_back(make_prism(loop, -0.5 * thickness, 0.5 * thickness));
+  s.smallest_width = thickness;
+  for (const auto& piece : pieces) {
+    const auto loop = turning_points(outline, piece);
+    if (loop.size() < 3) continue;
+    const ConvexPolytope& part = s.parts.emplace_back(make_prism(loop, -0.5 * thickness, 0.5 * thickness));
+    if (part.smallest_width >= s.smallest_width) continue;
+    const double width = pieces.size() > 1 ? width_of_ice(outline, piece, part, thickness) : part.smallest_width;
+    s.smallest_width = std::min(s.smallest_width, width);
+  }
   NILAS_DEMAND(!s.parts.empty());
   s.surface = prism_surface(outline, pieces, 0.5 * thickness);
   s.bounding_radius = reach(s.surface.vertices);
@@ -57,6 +99,7 @@ Shape box_shape(const Vec3& size) {
   Shape s;
   s.kind = ShapeKind::box;
   s.parts.push_back(make_box(size));
+  s.smallest_width = smallest_width_of(s.parts);
   const double x = 0.5 * size.x(), y = 0.5 * size.y();
   s.surface = convex_prism_surface({{-x, -y}, {x, -y}, {x, y}, {-x, y}}, 0.5 * size.z());
   s.bounding_radius = 0.5 * size.norm();
@@ -69,6 +112,7 @@ Shape sphere_shape(double radius) {
   s.kind = ShapeKind::sphere;
   s.radius = radius;
   s.bounding_radius = radius;
+  s.smallest_width = 2 * radius;
   return s;
 }
 
@@ -78,6 +122,7 @@ Shape cylinder_shape(double radius, double height) {
   s.kind = ShapeKind::cylinder;
   s.radius = radius;
   s.half_height = 0.5 * height;
+  s.smallest_width = std::min(2 * radius, height);
   constexpr int k_quarter = 16, k_sides = 4 * k_quarter;  // corners then stand 0.08 % of the radius outside the circle
   constexpr double k_step = 2 * k_pi / k_sides;
   const double corner_radius = radius * std::sqrt(k_step / std::sin(k_step));  // polygon of the circle's area
@@ -98,6 +143,7 @@ Shape cylinder_shape(double radius, double height) {
 Shape plane_shape() {
   Shape s;
   s.kind = ShapeKind::plane;
+  s.smallest_width = std::numeric_limits<double>::infinity();
   s.bounding_radius = std::numeric_limits<double>::infinity();
   return s;
 }
@@ -108,6 +154,7 @@ Shape mesh_shape(TriangleMesh surface, std::vector<ConvexPolytope> parts) {
   s.bounding_radius = reach(surface.vertices);
   for (const auto& part : parts) s.bounding_radius = std::max(s.bounding_radius, reach(part.vertices));
   s.surface = std::move(surface);
+  s.smallest_width = smallest_width_of(parts);
   s.parts = std::move(parts);
   return s;
 }

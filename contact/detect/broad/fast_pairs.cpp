@@ -106,13 +106,7 @@ void visit_quick_pairs(const std::vector<SweptBox>& boxes, Eigen::Index axis, co
 
 std::vector<double> smallest_widths(const bodies::Bodies& bodies) {
   std::vector<double> widths;
-  for (const auto& shape : bodies.shape) {
-    double width = std::numeric_limits<double>::infinity();
-    for (const auto& part : shape->parts) width = std::min(width, part.smallest_width);
-    if (shape->radius > 0) width = 2 * shape->radius;
-    if (shape->half_height > 0) width = std::min(width, 2 * shape->half_height);
-    widths.push_back(width);
-  }
+  for (const auto& shape : bodies.shape) widths.push_back(shape->smallest_width);
   return widths;
 }
 

@@ -21,7 +21,7 @@ struct FastPair {
   double way = 0;    ///< bound on the path of any point of one body against the other [m]
 };
 
-/// Returns the smallest width of each body's parts [m]; infinite for a half space.
+/// Returns the smallest width of each body [m]; infinite for a half space.
 std::vector<double> smallest_widths(const bodies::Bodies& bodies);
 
 /// Returns false when no pair can be fast, at the cost of one pass over the bodies.

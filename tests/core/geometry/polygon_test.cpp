@@ -133,6 +133,16 @@ TEST(ConvexHull, HoldsAllPointsAndOnlyCorners) {
   for (const auto& p : hull) EXPECT_NE(std::find(points.begin(), points.end(), p), points.end());
 }
 
+TEST(WidthBehind, IsTheWayToTheOtherSide) {
+  for (const double angle : {0.0, 0.3, 2.0}) {
+    const std::vector<Vec2> l = turned(bodies::l_outline(), angle, {5, -3});
+    const double widths[] = {1, 3, 1, 1, 4, 1};  // of sides 0 to 5, from their middles
+    for (int i = 0; i < 6; ++i) EXPECT_NEAR(width_behind(l, i), widths[i], 1e-12) << i << " at " << angle;
+  }
+  const std::vector<Vec2> wedge{{0, 0}, {10, 0}, {10, 1}};
+  EXPECT_NEAR(width_behind(wedge, 0), 0.5, 1e-12);
+}
+
 TEST(ConvexHull, OfPointsOnALineIsItsEnds) {
   EXPECT_EQ(convex_hull({{1, 1}, {0, 0}, {3, 3}, {2, 2}, {0, 0}}), (std::vector<Vec2>{{0, 0}, {3, 3}}));
 }

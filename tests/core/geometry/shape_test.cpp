@@ -72,9 +72,35 @@ TEST(PrismShape, ANeedleHasNoPart) {
     const Shape shape = prism_shape(outline, 0.1);
     const double area = polygon_moments(outline).area;
     EXPECT_NEAR(parts_volume(shape), 0.1 * area, 1e-9 * area) << width;
+    EXPECT_GE(shape.smallest_width, 1e-4);
     without += shape.parts.size() < convex_piece_indices(outline).size() ? 1 : 0;
   }
   EXPECT_GT(without, 0);
+}
+
+/// A floe that a bow broke out of a sheet of 40 mm, with a bay of four sides at one end. Its cuts leave slivers of 1.4
+/// to 3.8 mm beside each other, and the narrowest ice behind an outer side has 8.3 mm.
+TEST(PrismShape, IsAsWideAsTheIceBehindItsSlivers) {
+  const std::vector<Vec2> outline{{-0.0701, 0.0832},  {-0.0701, -0.0912}, {-0.0394, -0.1089},
+                                  {-0.0357, -0.1126}, {-0.0331, -0.1172}, {-0.0317, -0.1223},
+                                  {-0.0317, -0.1249}, {0.1266, 0.0334},   {-0.0317, 0.0990}};
+  const Shape floe = prism_shape(test::about_centroid(outline), 0.04);
+  double thinnest = floe.thickness;
+  for (const auto& part : floe.parts) thinnest = std::min(thinnest, part.smallest_width);
+  EXPECT_NEAR(thinnest, 0.0014, 1e-4);
+  EXPECT_NEAR(floe.smallest_width, 0.0083, 1e-4);
+}
+
+TEST(PrismShape, IsAsNarrowAsItsNarrowestStrip) {
+  const auto with_strip = [](double width) {
+    return prism_shape(test::about_centroid({{0, 0}, {4, 0}, {4, width}, {1, width}, {1, 4}, {0, 4}}), 0.3);
+  };
+  EXPECT_DOUBLE_EQ(with_strip(0.5).smallest_width, 0.3);
+  EXPECT_NEAR(with_strip(0.05).smallest_width, 0.05, 1e-15);
+  // A strip that bends is cut along its middle or across it.
+  const Shape bent = prism_shape(
+      test::about_centroid({{0, 0}, {2, 0.01}, {4, 0}, {4, 0.05}, {2, 0.06}, {1, 0.055}, {1, 4}, {0, 4}}), 0.3);
+  EXPECT_NEAR(bent.smallest_width, 0.05, 0.005);
 }
 
 TEST(PrismShape, WrongFloesAreRefused) {
@@ -88,6 +114,7 @@ TEST(BoxShape, SurfaceAndPart) {
   EXPECT_DOUBLE_EQ(signed_volume(shape.surface), 24);
   EXPECT_DOUBLE_EQ(parts_volume(shape), 24);
   EXPECT_DOUBLE_EQ(shape.bounding_radius, 0.5 * Vec3(2, 3, 4).norm());
+  EXPECT_DOUBLE_EQ(shape.smallest_width, 2);
   EXPECT_THROW(box_shape({1, 0, 1}), ContractError);
 }
 
