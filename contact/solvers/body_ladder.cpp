@@ -51,6 +51,11 @@ constexpr double k_most_lagged_friction = 0.2;
 constexpr double k_loose = 1e-5;
 constexpr InteriorSettings k_lagged{.inside = 1};
 constexpr InteriorSettings k_first_lagged{.slope_share = 0.6, .patience = 20, .lagged_patience = 3};
+/// The first way without a start, or where a quarter of the contacts or more has a force limit. There a lagged shift
+/// mostly leaves steps too short, and an iterate near the ends of its cones. From far inside half of the iterations
+/// suffice. From the impulses of a step before in a jam without limits, the lagged trial costs less.
+constexpr InteriorSettings k_first_inside{Shift::differentiated, 0.9, 10, 20};
+constexpr double k_limited_share = 0.25;
 /// The way after it. From impulses that are off it takes up to ten iterations less than from none.
 constexpr InteriorSettings k_from_start{Shift::differentiated, 0.7, 10, 20};
 
@@ -93,7 +98,13 @@ struct Way {
   std::span<const Handover> handovers = k_handovers;
 };
 
-/// `near`: the residual of the start [m/s].
+bool is_limited(const contact::ContactProblem& problem) {
+  const auto limited = std::count_if(problem.force_limit.begin(), problem.force_limit.end(),
+                                     [](double limit) { return std::isfinite(limit); });
+  return static_cast<double>(limited) >= k_limited_share * problem.num_contacts();
+}
+
+/// `near`: the residual of the start [m/s], infinite without one.
 std::vector<Way> ways_for(const contact::ContactProblem& problem, double tolerance, double near) {
   const bool is_convex = problem.law != Law::coulomb;
   const auto is_slight = [](double mu) { return mu <= k_most_lagged_friction; };
@@ -101,7 +112,7 @@ std::vector<Way> ways_for(const contact::ContactProblem& problem, double toleran
   if (is_convex || std::all_of(problem.mu.begin(), problem.mu.end(), is_slight))
     ways.push_back({k_lagged, true});
   else if (tolerance >= k_loose)
-    ways = {{k_first_lagged, true}, {k_from_start, true}};
+    ways = {{is_limited(problem) || std::isinf(near) ? k_first_inside : k_first_lagged, true}, {k_from_start, true}};
   else if (tolerance <= k_strict && near <= k_near_start)
     ways.push_back({k_from_start, true, k_near_handovers});
   if (is_convex) return ways;

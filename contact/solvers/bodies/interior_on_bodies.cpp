@@ -20,6 +20,9 @@ constexpr double k_least_centring = 1e-3;
 /// A cone cut at its apex has no inside: limits count as at least this share of the largest impulse to stop a contact.
 constexpr double k_least_limit = 1e-10;
 
+/// An impulse above its limit begins at this share of the limit: most that are above it stay near it.
+constexpr double k_share_of_limit = 0.9;
+
 /// So many steps in a row that are shorter than this tell that a run is stuck: longer ones hardly ever follow.
 constexpr int k_stuck_steps = 4;
 constexpr double k_stuck = 0.05;
@@ -192,7 +195,7 @@ double InteriorOnBodies::begin(const VecX& start) {
   for (std::size_t c = 0; c < count_; ++c) mean += x_.row[0][c] * y_.row[0][c] / static_cast<double>(count_);
   for (std::size_t i = 0; i < capped_.size(); ++i) {
     const std::size_t c = capped_[i];
-    if (const double share = 0.5 * cap_[i] / x_.row[0][c]; share < 1) x_.set(c, share * x_.at(c));
+    if (const double share = k_share_of_limit * cap_[i] / x_.row[0][c]; share < 1) x_.set(c, share * x_.at(c));
     slack_[i] = cap_[i] - x_.row[0][c];
     multiplier_[i] = mean / slack_[i];
     y_.row[0][c] += multiplier_[i];
