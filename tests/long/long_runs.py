@@ -1,14 +1,14 @@
 #!/usr/bin/env python3
 """Runs small scenes for a million steps each, and judges what only shows over many steps.
 
-usage: long_runs.py [--steps N] [--scenes NAME ...] [--sessions K] [--out FOLDER] [--program FILE]
+usage: long_runs.py [--steps N] [--scenes NAME ...] [--sessions K] [--resumed-only] [--out FOLDER] [--program FILE]
 
 The scenes stand beside this script. While a run goes on, its resident memory and the sizes of its files are noted. At
 its end these must hold: every row of steps.csv and vessel.csv is there, each time is the start plus step times number
 to the last bit, the ledger of energy and the balance of momentum close, the counts of the summary are those of the
 table, files with a row per step grow as fast in the second half of the run as in the first, and memory stays as it is
 in the second half. The same scene is then run in K sessions, each of which resumes the one before, and must give the
-same bits.
+same bits. With --resumed-only it is run in sessions alone, and these are judged. A scene ends at its own end at the latest.
 
 FOLDER/long.csv has a row per scene, FOLDER/NAME.csv what was noted on the way. The exit code is 1 where something does
 not hold.
@@ -50,6 +50,7 @@ class Scene:
         time_of = ET.parse(self.path).getroot().find("time")
         assert time_of is not None
         self.step, self.start = float(time_of.get("step", "")), float(time_of.get("start", "0"))
+        self.steps = min(self.steps, round((float(time_of.get("end", "")) - self.start) / self.step))
 
     def time_after(self, steps: int) -> float:
         """The time after so many steps, counted as the program counts it [s]."""
@@ -107,18 +108,40 @@ def faults_of_growth(samples: list[Sample]) -> tuple[dict[str, object], Iterator
     return figures, wrong()
 
 
-def in_sessions(program: Path, scene: Scene, folder: Path, sessions: int) -> str:
-    """Runs the scene anew in sessions that resume one another; gives what went wrong."""
+def in_sessions(program: Path, scene: Scene, folder: Path, sessions: int) -> tuple[str, list[Sample]]:
+    """Runs the scene anew in sessions that resume one another; gives what went wrong, and what was noted on the way."""
     every = scene.steps // sessions
     first = [str(program), "run", str(scene.path), "--out", str(folder), "--quiet", "--checkpoint-every",
              repr(every * scene.step), "--until", scene.until(every)]
+    samples: list[Sample] = []
     for session in range(1, sessions + 1):
         last = scene.until(scene.steps if session == sessions else session * every)
         command = first if session == 1 else [str(program), "run", "--resume", str(folder), "--quiet", "--until", last]
-        done = subprocess.run(command, capture_output=True, text=True, check=False)
-        if done.returncode != 0:
-            return f"session {session} ended with exit code {done.returncode}: {done.stderr.strip()[:300]}"
-    return ""
+        code, found, said = watched(command, folder, scene)
+        samples += found
+        if code != 0:
+            return f"session {session} ended with exit code {code}: {said.strip()[:300]}", samples
+    return "", samples
+
+
+def judged(folder: Path, scene: Scene, samples: list[Sample]) -> tuple[dict[str, object], list[str]]:
+    """Figures of a run that ended, and what does not hold of it. Stores what was noted on the way."""
+    write_samples(folder.parent / f"{folder.name}.csv", samples)
+    rows: Verdict = judge_rows(folder, scene.steps, scene.time_after)
+    figures, growing = faults_of_growth(samples)
+    return {"steps": scene.steps, **rows.figures, **figures}, [*rows.faults, *growing]
+
+
+def run_in_sessions(program: Path, scene: Scene, out: Path, sessions: int) -> tuple[dict[str, object], list[str]]:
+    """The run in sessions alone; gives its row of the table, and what does not hold."""
+    name = scene.path.stem
+    folder = out / name
+    shutil.rmtree(folder, ignore_errors=True)
+    wrong, samples = in_sessions(program, scene, folder, sessions)
+    if wrong:
+        return {"scene": name}, [wrong]
+    figures, faults = judged(folder, scene, samples)
+    return {"scene": name, **figures, "resumed": f"in {sessions} sessions alone"}, faults
 
 
 def run_scene(program: Path, scene: Scene, out: Path, sessions: int) -> tuple[dict[str, object], list[str]]:
@@ -131,16 +154,13 @@ def run_scene(program: Path, scene: Scene, out: Path, sessions: int) -> tuple[di
     code, samples, said = watched(command, whole, scene)
     if code != 0:
         return {"scene": name}, [f"exit code {code}: {said.strip()[:300]}"]
-    write_samples(out / f"{name}.csv", samples)
-    rows: Verdict = judge_rows(whole, scene.steps, scene.time_after)
-    figures, growing = faults_of_growth(samples)
-    faults = [*rows.faults, *growing]
+    figures, faults = judged(whole, scene, samples)
     again = "not run"
     if sessions > 1:
-        again = in_sessions(program, scene, resumed, sessions) or same_bits(whole, resumed)
+        again = in_sessions(program, scene, resumed, sessions)[0] or same_bits(whole, resumed)
         faults += [again] if again else []
         again = again or f"same bits in {sessions} sessions"
-    return {"scene": name, "steps": scene.steps, **rows.figures, **figures, "resumed": again}, faults
+    return {"scene": name, **figures, "resumed": again}, faults
 
 
 def main() -> int:
@@ -150,6 +170,7 @@ def main() -> int:
     parser.add_argument("--steps", type=int, default=1_000_000, help="steps of each run; default: a million")
     parser.add_argument("--scenes", nargs="+", choices=names, default=names, help="scenes to run; default: all")
     parser.add_argument("--sessions", type=int, default=10, help="sessions of the resumed run, 1: none; default: 10")
+    parser.add_argument("--resumed-only", action="store_true", help="runs each scene in sessions alone, and judges these")
     parser.add_argument("--out", type=Path, default=REPOSITORY / "runs" / "long", help="folder of the runs and tables")
     parser.add_argument("--program", type=Path, default=REPOSITORY / "build" / "release" / "nilas",
                         help="program under test")
@@ -160,7 +181,8 @@ def main() -> int:
     failed = False
     for name in options.scenes:
         scene = Scene(HERE / "scenes" / f"{name}.xml", options.steps)
-        row, faults = run_scene(options.program.resolve(), scene, out, options.sessions)
+        run = run_in_sessions if options.resumed_only else run_scene
+        row, faults = run(options.program.resolve(), scene, out, options.sessions)
         row["holds"] = "; ".join(faults) or "yes"
         failed = failed or bool(faults)
         rows.append(row)
