@@ -303,7 +303,7 @@ LAYOUTS = {
         ("missed by FCL", "{fcl_missed_percent} %"),
     ],
     "crushing-steps": [
-        ("axes", "{axes}"),
+        ("with", "{axes}"),
         ("detection, median and 95th percentile [ms]", "{detection_ms}, {detection_p95_ms}"),
         ("solver [ms]", "{solver_ms}, {solver_p95_ms}"),
         ("step [ms]", "{step_ms}, {step_p95_ms}"),
