@@ -45,8 +45,8 @@ constexpr double k_strict = 1e-7, k_near_start = 1e-3;
 constexpr double k_least_of_interior = 5e-7;
 
 /// With more friction than this on any contact a lagged shift converges slowly or not at all [-]. To a loose tolerance
-/// [m/s] it is worth a trial all the same, since its steps cost half. To a strict one the trial costs more than it
-/// saves.
+/// [m/s] it is worth a trial from a start all the same, since its steps cost half. To a strict one the trial costs more
+/// than it saves.
 constexpr double k_most_lagged_friction = 0.2;
 constexpr double k_loose = 1e-5;
 constexpr InteriorSettings k_lagged{.inside = 1};

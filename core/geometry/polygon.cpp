@@ -92,16 +92,21 @@ bool contains(const std::vector<Vec2>& outline, const Vec2& point) {
 
 double width_behind(const std::vector<Vec2>& outline, int i) {
   const auto n = static_cast<int>(outline.size());
-  const Vec2 along = outline[(i + 1) % n] - outline[i], middle = outline[i] + 0.5 * along;
-  const Vec2 inwards = Vec2(-along.y(), along.x()).normalized();
+  const Vec2 edge = outline[(i + 1) % n] - outline[i], middle = outline[i] + 0.5 * edge;
+  const Vec2 along = edge.normalized(), inwards(-along.y(), along.x());
   double width = std::numeric_limits<double>::infinity();
   for (int k = 0; k < n; ++k) {
     if (k == i) continue;
     const Vec2 from = outline[k] - middle, to = outline[(k + 1) % n] - middle;
     const double right = cross2(inwards, from), left = cross2(inwards, to);
-    if (!(right <= 0 && left > 0) && !(right > 0 && left <= 0)) continue;
-    const double way = (inwards.dot(from) * left - inwards.dot(to) * right) / (left - right);
-    if (way > 0) width = std::min(width, way);
+    if ((right <= 0) != (left <= 0)) {
+      const double way = (inwards.dot(from) * left - inwards.dot(to) * right) / (left - right);
+      if (way > 0) width = std::min(width, way);
+    }
+    const bool is_of_neighbours = k == (i + n - 1) % n || k == (i + 1) % n || k == (i + 2) % n;
+    const double height = inwards.dot(from);
+    if (!is_of_neighbours && height > 0 && std::abs(along.dot(from)) <= 0.5 * edge.norm())
+      width = std::min(width, height);
   }
   return width;
 }

@@ -23,8 +23,9 @@ bool contains(const std::vector<Vec2>& outline, const Vec2& point);
 std::vector<std::vector<Vec2>> convex_pieces(const std::vector<Vec2>& outline);
 /// The same pieces as vertex indices of `outline`.
 std::vector<std::vector<int>> convex_piece_indices(const std::vector<Vec2>& outline);
-/// The way from the middle of edge i (from vertex i to the next) straight inwards to the other side of a simple
-/// counter-clockwise outline [m].
+/// The least way straight inwards from edge i (from vertex i to the next) to the other side of a simple
+/// counter-clockwise outline [m]: from its middle, and to vertices that lie before the edge, without those of its
+/// neighbours.
 double width_behind(const std::vector<Vec2>& outline, int i);
 /// Convex hull, counter-clockwise, without collinear points.
 std::vector<Vec2> convex_hull(std::vector<Vec2> points);

@@ -34,19 +34,26 @@ std::vector<Vec2> turning_points(const std::vector<Vec2>& outline, const std::ve
   return turning;
 }
 
-/// The longest side of a convex piece that is a side of the outline, by its first vertex; -1: all are cuts.
-int longest_outer_side(const std::vector<Vec2>& outline, const std::vector<int>& piece) {
+/// The sides of a convex piece that are sides of the outline, by their first vertices.
+std::vector<int> outer_sides(const std::vector<Vec2>& outline, const std::vector<int>& piece) {
   const auto n = static_cast<int>(outline.size());
-  int longest = -1;
-  double most = 0;
-  for (std::size_t k = 0; k < piece.size(); ++k) {
-    const int from = piece[k], to = piece[(k + 1) % piece.size()];
-    const double length = (outline[to] - outline[from]).norm();
-    if (to != (from + 1) % n || length <= most) continue;
-    longest = from;
-    most = length;
-  }
-  return longest;
+  std::vector<int> sides;
+  for (std::size_t k = 0; k < piece.size(); ++k)
+    if (piece[(k + 1) % piece.size()] == (piece[k] + 1) % n) sides.push_back(piece[k]);
+  return sides;
+}
+
+/// Whether two of these sides bound a strip or a needle: they face each other, or meet in less than 30 degrees.
+bool has_facing_sides(const std::vector<Vec2>& outline, const std::vector<int>& sides) {
+  constexpr double k_facing = -0.5, k_needle_tip = -0.866;  // cosines between the directions of the sides
+  const auto n = static_cast<int>(outline.size());
+  const auto direction = [&](int side) -> Vec2 { return (outline[(side + 1) % n] - outline[side]).normalized(); };
+  for (const int a : sides)
+    for (const int b : sides) {
+      const bool meet = b == (a + 1) % n || a == (b + 1) % n;
+      if (direction(a).dot(direction(b)) < (meet ? k_needle_tip : k_facing)) return true;
+    }
+  return false;
 }
 
 /// Ice that is narrower than this share of its thickness is a needle, as cracks that meet under rounding leave them.
@@ -54,13 +61,18 @@ int longest_outer_side(const std::vector<Vec2>& outline, const std::vector<int>&
 constexpr double k_needle = 1e-3;
 
 /// The smallest width of the ice where the sides of one of several convex pieces bound it; infinite for needles and for
-/// pieces that only cuts bound. Behind a sliver, as cuts along a curved crack leave them, the ice goes on.
+/// pieces that only cuts bound. Behind a sliver, as cuts along a curved crack leave them, the ice goes on. Between two
+/// sides that face each other it does not.
 double width_of_ice(const std::vector<Vec2>& outline, const std::vector<int>& piece, const ConvexPolytope& part,
                     double thickness) {
   constexpr double k_none = std::numeric_limits<double>::infinity();
-  const int side = longest_outer_side(outline, piece);
-  if (side < 0) return k_none;
-  const double width = std::max(part.smallest_width, width_behind(outline, side));
+  const std::vector<int> sides = outer_sides(outline, piece);
+  double width = sides.empty() ? k_none : part.smallest_width;
+  if (!has_facing_sides(outline, sides)) {
+    double behind = k_none;
+    for (const int side : sides) behind = std::min(behind, width_behind(outline, side));
+    width = std::max(width, behind);
+  }
   return width > k_needle * thickness ? width : k_none;
 }
 

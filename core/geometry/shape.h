@@ -47,7 +47,7 @@ struct Shape {
   double half_height = 0;             ///< cylinder, axis z [m]
   TriangleMesh surface;        ///< closed outward surface of box, mesh, prism, cylinder (faceted), for water and output
   double bounding_radius = 0;  ///< radius of pieces and surface about the body origin; infinite for a plane [m]
-  double smallest_width = 0;   ///< of the solid: a body that goes less than half of it cannot pass through [m]
+  double smallest_width = 0;   ///< of the solid, without needles: what goes less than half of it cannot pass [m]
 };
 
 /// Floe: simple counter-clockwise outline, convex or concave, about its own centroid (the shape of a body must lie

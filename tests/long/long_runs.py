@@ -1,14 +1,16 @@
 #!/usr/bin/env python3
-"""Runs small scenes for a million steps each, and judges what only shows over many steps.
+"""Runs small scenes for up to a million steps each, and judges what only shows over many steps.
 
-usage: long_runs.py [--steps N] [--scenes NAME ...] [--sessions K] [--resumed-only] [--out FOLDER] [--program FILE]
+usage: long_runs.py [--steps N] [--scenes NAME ...] [--sessions K] [--resumed-only] [--out FOLDER]
+                    [--program FILE]
 
 The scenes stand beside this script. While a run goes on, its resident memory and the sizes of its files are noted. At
 its end these must hold: every row of steps.csv and vessel.csv is there, each time is the start plus step times number
 to the last bit, the ledger of energy and the balance of momentum close, the counts of the summary are those of the
 table, files with a row per step grow as fast in the second half of the run as in the first, and memory stays as it is
 in the second half. The same scene is then run in K sessions, each of which resumes the one before, and must give the
-same bits. With --resumed-only it is run in sessions alone, and these are judged. A scene ends at its own end at the latest.
+same bits. With --resumed-only it is run in sessions alone, and these are judged, memory and growth over the last one. A
+scene ends at its own end at the latest.
 
 FOLDER/long.csv has a row per scene, FOLDER/NAME.csv what was noted on the way. The exit code is 1 where something does
 not hold.
@@ -109,7 +111,7 @@ def faults_of_growth(samples: list[Sample]) -> tuple[dict[str, object], Iterator
 
 
 def in_sessions(program: Path, scene: Scene, folder: Path, sessions: int) -> tuple[str, list[Sample]]:
-    """Runs the scene anew in sessions that resume one another; gives what went wrong, and what was noted on the way."""
+    """Runs the scene anew in sessions that resume one another; gives what went wrong, and what was noted in the last one."""
     every = scene.steps // sessions
     first = [str(program), "run", str(scene.path), "--out", str(folder), "--quiet", "--checkpoint-every",
              repr(every * scene.step), "--until", scene.until(every)]
@@ -118,7 +120,7 @@ def in_sessions(program: Path, scene: Scene, folder: Path, sessions: int) -> tup
         last = scene.until(scene.steps if session == sessions else session * every)
         command = first if session == 1 else [str(program), "run", "--resume", str(folder), "--quiet", "--until", last]
         code, found, said = watched(command, folder, scene)
-        samples += found
+        samples = found
         if code != 0:
             return f"session {session} ended with exit code {code}: {said.strip()[:300]}", samples
     return "", samples
@@ -170,7 +172,8 @@ def main() -> int:
     parser.add_argument("--steps", type=int, default=1_000_000, help="steps of each run; default: a million")
     parser.add_argument("--scenes", nargs="+", choices=names, default=names, help="scenes to run; default: all")
     parser.add_argument("--sessions", type=int, default=10, help="sessions of the resumed run, 1: none; default: 10")
-    parser.add_argument("--resumed-only", action="store_true", help="runs each scene in sessions alone, and judges these")
+    parser.add_argument("--resumed-only", action="store_true",
+                        help="runs each scene in sessions alone, and judges these")
     parser.add_argument("--out", type=Path, default=REPOSITORY / "runs" / "long", help="folder of the runs and tables")
     parser.add_argument("--program", type=Path, default=REPOSITORY / "build" / "release" / "nilas",
                         help="program under test")

@@ -92,15 +92,34 @@ TEST(PrismShape, IsAsWideAsTheIceBehindItsSlivers) {
 }
 
 TEST(PrismShape, IsAsNarrowAsItsNarrowestStrip) {
-  const auto with_strip = [](double width) {
-    return prism_shape(test::about_centroid({{0, 0}, {4, 0}, {4, width}, {1, width}, {1, 4}, {0, 4}}), 0.3);
+  const auto with_strip = [](double from, double width) {
+    return prism_shape(test::about_centroid({{0, 0}, {4, 0}, {4, width}, {from, width}, {from, 4}, {0, 4}}), 0.3);
   };
-  EXPECT_DOUBLE_EQ(with_strip(0.5).smallest_width, 0.3);
-  EXPECT_NEAR(with_strip(0.05).smallest_width, 0.05, 1e-15);
-  // A strip that bends is cut along its middle or across it.
+  EXPECT_DOUBLE_EQ(with_strip(1, 0.5).smallest_width, 0.3);
+  // whether or not it lies before the middle of the longest side
+  for (const double from : {0.5, 1.0, 2.5, 3.5}) EXPECT_NEAR(with_strip(from, 0.05).smallest_width, 0.05, 0.005);
+  // what a notch leaves, and a strip that bends
+  const Shape notched =
+      prism_shape(test::about_centroid({{0, 0}, {10, 0}, {10, 4}, {9, 4}, {9, 0.05}, {7, 0.05}, {7, 4}, {0, 4}}), 0.3);
+  EXPECT_NEAR(notched.smallest_width, 0.05, 0.005);
   const Shape bent = prism_shape(
       test::about_centroid({{0, 0}, {2, 0.01}, {4, 0}, {4, 0.05}, {2, 0.06}, {1, 0.055}, {1, 4}, {0, 4}}), 0.3);
   EXPECT_NEAR(bent.smallest_width, 0.05, 0.005);
+}
+
+/// Strips anywhere and in any direction on random floes are seen.
+TEST(PrismShape, SeesStripsOnRandomFloes) {
+  RandomStream random(14, "strips");
+  for (int i = 0; i < 200; ++i) {
+    const double from = random.uniform(0.2, 3.5), width = random.uniform(0.01, 0.1), tilt = random.uniform(-0.3, 0.3);
+    std::vector<Vec2> outline{{0, 0}, {4, 0}, {4 + width * tilt, width}, {from, width}};
+    for (double x = from + tilt, y = 1; y < 4; y += random.uniform(0.5, 1.5)) outline.emplace_back(x, y), x -= 0.1;
+    outline.emplace_back(0, 4);
+    if (!is_simple(outline)) continue;
+    const Eigen::Rotation2Dd R(random.uniform(0, 2 * k_pi));
+    for (auto& p : outline) p = R * p;
+    EXPECT_NEAR(prism_shape(test::about_centroid(outline), 0.3).smallest_width, width, 0.2 * width) << i;
+  }
 }
 
 TEST(PrismShape, WrongFloesAreRefused) {
